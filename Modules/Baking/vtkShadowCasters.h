@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkShadowCasters
+ * @brief   Everything in a renderer that can block light, ready to be drawn into depth maps.
+ *
+ * Opaque, visible props whose CASTS_SHADOW key is not 0 are casters, whether the camera sees them or
+ * not. Where the prop allows it, its polygons and strips are kept as triangles in one position-only
+ * vertex buffer, in world coordinates relative to a local origin (subtracted in double): one draw
+ * call fills a depth map. What cannot be represented so (glyphs, imposters, textures with alpha,
+ * replaced shaders, lines, points) is drawn through its own mapper.
+ *
+ * Update() compares redraw times and rebuilds only what changed.
+ */
+
+#ifndef vtkShadowCasters_h
+#define vtkShadowCasters_h
+
+#include "vtkObject.h"
+#include "vtkRenderingSoftShadowsBakingModule.h" // For export macro
+#include "vtkSoftShadowsABI.h"                   // For the ABI namespace
+
+#include <array>  // For boxes
+#include <memory> // For the implementation
+#include <vector> // For boxes
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkInformationIntegerKey;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+class vtkWindow;
+struct vtkShadowMapView;
+
+class VTKRENDERINGSOFTSHADOWSBAKING_EXPORT vtkShadowCasters : public vtkObject
+{
+public:
+  static vtkShadowCasters* New();
+  vtkTypeMacro(vtkShadowCasters, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Keys in a prop's property keys: 0 switches off that the prop casts or receives shadows. Absent
+   * means 1. The Set functions keep whatever other keys the prop has.
+   */
+  static vtkInformationIntegerKey* CASTS_SHADOW();
+  static vtkInformationIntegerKey* RECEIVES_SHADOW();
+  static void SetCastsShadow(vtkProp* prop, bool casts);
+  static void SetReceivesShadow(vtkProp* prop, bool receives);
+  static bool GetCastsShadow(vtkProp* prop);
+  static bool GetReceivesShadow(vtkProp* prop);
+  ///@}
+
+  /**
+   * Brings the casters up to date with the renderer's props. Returns true if anything that casts,
+   * or any box below, changed since the last call. Needs the window's context to be current.
+   */
+  bool Update(vtkRenderer* renderer);
+
+  /// Grows whenever Update finds a change in what casts; depth maps are valid for one value of it.
+  vtkGetMacro(CastersTime, vtkMTimeType);
+
+  /// What the fit of a depth map needs to know of one prop (or leaf of an assembly).
+  struct Body
+  {
+    /// World coordinates {xmin, xmax, ymin, ymax, zmin, zmax}, finite.
+    std::array<double, 6> Bounds;
+    bool Casts = true;
+    bool Receives = true;
+    /// All points lie in the plane Normal . p = Offset (to 1e-6 of its extent).
+    bool Flat = false;
+    std::array<double, 3> Normal = { { 0.0, 0.0, 0.0 } };
+    double Offset = 0.0;
+    /// For flat bodies: the corners of the body's bounding rectangle in its own plane (world).
+    std::array<std::array<double, 3>, 4> Corners;
+  };
+
+  /// All visible opaque props, casters and receivers alike.
+  const std::vector<Body>& GetBodies() const;
+
+  ///@{
+  /// Counts for statistics.
+  vtkTypeInt64 GetNumberOfTriangles() const;
+  int GetNumberOfCasters() const;
+  int GetNumberOfMapperCasters() const;
+  vtkTypeInt64 GetBytes() const;
+  ///@}
+
+  /**
+   * Draws all casters whose boxes touch the view's frustum into the framebuffer and viewport that are
+   * bound now, depth only (depth test on, colour writes off, both sides of every triangle, depth
+   * clamped to the view's range so that nothing in front of Near is lost). With conservative, every
+   * texel that a triangle touches gets the least depth the triangle's plane has within the texel
+   * (not less than the triangle's own); mapper-drawn casters are rasterised normally.
+   * Returns the number of draw calls. Restores all OpenGL and VTK state it changes.
+   */
+  int Draw(vtkRenderer* renderer, const vtkShadowMapView& view, int resolution, bool conservative);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkShadowCasters();
+  ~vtkShadowCasters() override;
+
+  vtkMTimeType CastersTime = 0;
+
+private:
+  vtkShadowCasters(const vtkShadowCasters&) = delete;
+  void operator=(const vtkShadowCasters&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

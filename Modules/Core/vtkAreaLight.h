@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAreaLight
+ * @brief   A vtkLight with an extent, the source of shadows with penumbrae.
+ *
+ * The light is everything a vtkLight is, and mappers shade with it as with any other. The extent is
+ * read by the soft-shadow passes alone: it decides how much of the light a surface point sees.
+ *
+ * A positional light is a rectangle, a disk or a point around the light's position, perpendicular to
+ * its direction (focal point - position). Rectangles and disks shine to their front only. A
+ * directional light is a disk of directions, uniform in solid angle, of AngularDiameter degrees.
+ *
+ * The light's own plane has the axes direction x ViewUp (first component of Size) and ViewUp made
+ * perpendicular to the direction (second component).
+ *
+ * A plain vtkLight casts a hard shadow, unless it carries vtkOSPRayLightNode's RADIUS key: then it is
+ * a disk of that radius, or, directional, a sun of that many degrees.
+ *
+ * @sa vtkSoftShadowPass vtkShadowEmitter
+ */
+
+#ifndef vtkAreaLight_h
+#define vtkAreaLight_h
+
+#include "vtkLight.h"
+#include "vtkRenderingSoftShadowsCoreModule.h" // For export macro
+#include "vtkSoftShadowsABI.h"                 // For the ABI namespace
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkAreaLight : public vtkLight
+{
+public:
+  static vtkAreaLight* New();
+  vtkTypeMacro(vtkAreaLight, vtkLight);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ShapeType
+  {
+    RECTANGLE = 0,
+    DISK = 1,
+    POINT = 2
+  };
+
+  ///@{
+  /**
+   * The shape of a positional light. A point casts a hard shadow. Directional lights ignore it.
+   * Default is RECTANGLE.
+   */
+  vtkSetClampMacro(Shape, int, RECTANGLE, POINT);
+  vtkGetMacro(Shape, int);
+  void SetShapeToRectangle() { this->SetShape(RECTANGLE); }
+  void SetShapeToDisk() { this->SetShape(DISK); }
+  void SetShapeToPoint() { this->SetShape(POINT); }
+  const char* GetShapeAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of a positional light in world units: the edges of the rectangle or the
+   * diameters of the disk. Zero is a point. Negative or non-finite sizes are refused with an error
+   * and change nothing. Default is (1, 1).
+   */
+  void SetSize(double width, double height);
+  void SetSize(const double size[2]) { this->SetSize(size[0], size[1]); }
+  vtkGetVector2Macro(Size, double);
+  ///@}
+
+  ///@{
+  /**
+   * Up direction of the light's plane, in the coordinates of the light's position (world coordinates
+   * for a scene light). The null vector, the default, takes the axis least aligned with the light's
+   * direction (x before y before z among equals); so does a vector along the direction.
+   */
+  vtkSetVector3Macro(ViewUp, double);
+  vtkGetVector3Macro(ViewUp, double);
+  ///@}
+
+  ///@{
+  /**
+   * Angle under which a directional light is seen, in degrees, in [0, 170]. The sun has 0.53.
+   * Positional lights ignore it. Default is 0, a hard shadow.
+   */
+  vtkSetClampMacro(AngularDiameter, double, 0.0, 170.0);
+  vtkGetMacro(AngularDiameter, double);
+  ///@}
+
+  /**
+   * The light's frame in world coordinates, the light's own transform applied: unit vectors along the
+   * width, along the height and along the direction in which it shines.
+   */
+  void GetTransformedAxes(double widthAxis[3], double heightAxis[3], double direction[3]);
+
+  ///@{
+  /**
+   * Copy of all parameters. ShallowClone returns a vtkAreaLight that the caller owns.
+   */
+  vtkLight* ShallowClone() override;
+  void DeepCopy(vtkLight* light);
+  ///@}
+
+protected:
+  vtkAreaLight() = default;
+  ~vtkAreaLight() override = default;
+
+  int Shape = RECTANGLE;
+  double Size[2] = { 1.0, 1.0 };
+  double ViewUp[3] = { 0.0, 0.0, 0.0 };
+  double AngularDiameter = 0.0;
+
+private:
+  vtkAreaLight(const vtkAreaLight&) = delete;
+  void operator=(const vtkAreaLight&) = delete;
+
+  void CopyExtent(vtkAreaLight* light);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
