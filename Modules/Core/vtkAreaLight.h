@@ -87,10 +87,12 @@ public:
   ///@}
 
   /**
-   * The light's frame in world coordinates, the light's own transform applied: unit vectors along the
-   * width, along the height and along the direction in which it shines.
+   * A light's frame in world coordinates, the light's own transform applied: unit vectors along the
+   * width, along the height and along the direction in which it shines. A plain vtkLight has the
+   * frame of an area light without a ViewUp.
    */
-  void GetTransformedAxes(double widthAxis[3], double heightAxis[3], double direction[3]);
+  static void GetTransformedAxes(
+    vtkLight* light, double widthAxis[3], double heightAxis[3], double direction[3]);
 
   ///@{
   /**

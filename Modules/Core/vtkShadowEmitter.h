@@ -35,8 +35,10 @@ struct VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowEmitter
 
   int Shape = POINT;
   bool Directional = false;
-  /// Shines to all sides: a point light without a cone. Such an emitter takes six maps.
+  /// Shines to all sides: a point or sphere without a cone. Only its Faces() can be looked through.
   bool Omni = false;
+  /// One face of an omni light: serves receivers with |x| <= z and |y| <= z as seen from Apex.
+  bool Face = false;
   /// World coordinates; orthonormal axes with AxisU = Direction x AxisV.
   std::array<double, 3> Center = { { 0.0, 0.0, 0.0 } };
   std::array<double, 3> AxisU = { { 1.0, 0.0, 0.0 } };
@@ -70,6 +72,9 @@ struct VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowEmitter
    * An emitter without extent is its own only part.
    */
   std::vector<vtkShadowEmitter> Split(int countU, int countV, bool gaussian = false) const;
+
+  /// The six faces of a cube around an omni emitter, each an emitter of its own; else the emitter.
+  std::vector<vtkShadowEmitter> Faces() const;
 
   /// The emitter shrunk to the point at window coordinates (u, v) in [-1, 1]^2.
   vtkShadowEmitter PointAt(double u, double v, double weight) const;

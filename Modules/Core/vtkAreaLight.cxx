@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAreaLight.h"
+
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkAreaLight);
+
+//------------------------------------------------------------------------------
+const char* vtkAreaLight::GetShapeAsString() const
+{
+  switch (this->Shape)
+  {
+    case DISK:
+      return "disk";
+    case POINT:
+      return "point";
+    default:
+      return "rectangle";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::SetSize(double width, double height)
+{
+  if (!std::isfinite(width) || !std::isfinite(height) || width < 0.0 || height < 0.0)
+  {
+    vtkErrorMacro("Size must be finite and not negative, but is (" << width << ", " << height
+                                                                    << "); it stays ("
+                                                                    << this->Size[0] << ", "
+                                                                    << this->Size[1] << ").");
+    return;
+  }
+  if (this->Size[0] != width || this->Size[1] != height)
+  {
+    this->Size[0] = width;
+    this->Size[1] = height;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::GetTransformedAxes(
+  vtkLight* light, double widthAxis[3], double heightAxis[3], double direction[3])
+{
+  double position[3];
+  double focalPoint[3];
+  light->GetTransformedPosition(position);
+  light->GetTransformedFocalPoint(focalPoint);
+  vtkMath::Subtract(focalPoint, position, direction);
+  if (vtkMath::Normalize(direction) == 0.0)
+  {
+    direction[2] = -1.0; // a light that aims at itself has no direction; any will do
+  }
+
+  double up[4] = { 0.0, 0.0, 0.0, 0.0 };
+  if (vtkAreaLight* area = vtkAreaLight::SafeDownCast(light))
+  {
+    std::copy(area->ViewUp, area->ViewUp + 3, up);
+  }
+  if (vtkMatrix4x4* transform = light->GetTransformMatrix())
+  {
+    transform->MultiplyPoint(up, up);
+  }
+  vtkMath::Normalize(up);
+  vtkMath::Cross(direction, up, widthAxis);
+  if (vtkMath::Norm(widthAxis) < 1e-6) // no up, or one along the direction
+  {
+    int least = 0;
+    for (int axis = 1; axis < 3; ++axis)
+    {
+      // "Equal" survives the rounding of a normalised direction.
+      least = std::abs(direction[axis]) < std::abs(direction[least]) - 1e-12 ? axis : least;
+    }
+    double worldAxis[3] = { 0.0, 0.0, 0.0 };
+    worldAxis[least] = 1.0;
+    vtkMath::Cross(direction, worldAxis, widthAxis);
+  }
+  vtkMath::Normalize(widthAxis);
+  vtkMath::Cross(widthAxis, direction, heightAxis);
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::CopyExtent(vtkAreaLight* light)
+{
+  this->SetShape(light->Shape);
+  this->SetSize(light->Size);
+  this->SetViewUp(light->ViewUp);
+  this->SetAngularDiameter(light->AngularDiameter);
+}
+
+//------------------------------------------------------------------------------
+vtkLight* vtkAreaLight::ShallowClone()
+{
+  vtkAreaLight* clone = vtkAreaLight::New();
+  vtkLight* base = this->Superclass::ShallowClone();
+  clone->Superclass::DeepCopy(base);
+  // The superclass shares the transform between a light and its shallow clone.
+  clone->SetTransformMatrix(base->GetTransformMatrix());
+  base->Delete();
+  clone->CopyExtent(this);
+  return clone;
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::DeepCopy(vtkLight* light)
+{
+  this->Superclass::DeepCopy(light);
+  if (vtkAreaLight* area = vtkAreaLight::SafeDownCast(light))
+  {
+    this->CopyExtent(area);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Shape: " << this->GetShapeAsString() << "\n";
+  os << indent << "Size: (" << this->Size[0] << ", " << this->Size[1] << ")\n";
+  os << indent << "ViewUp: (" << this->ViewUp[0] << ", " << this->ViewUp[1] << ", "
+     << this->ViewUp[2] << ")\n";
+  os << indent << "AngularDiameter: " << this->AngularDiameter << "\n";
+}
+VTK_ABI_NAMESPACE_END
