@@ -1,0 +1,69 @@
+// A receiver in the coordinates of a depth map.
+//
+// Map coordinates (s, t, d) in [0, 1]^3 are a projective image of space: planes stay planes. The
+// receiver's plane is d = std.z + gradient . (st - std.xy), for every tap of a kernel, exactly.
+
+uniform sampler2DArray depthMaps;
+uniform float depthMapSize; // texels along an edge
+
+struct MapPoint
+{
+  vec3 std;
+  vec2 gradient; // slope of the receiver's plane, d per s and per t
+  float bias;    // what rounding and one texel of slope may add to a depth that is the receiver's own
+};
+
+// Relative rounding of a view position after interpolation, and of the product with a matrix.
+const float positionRounding = 4e-7;
+// Spacing of 32-bit depths below 1, twice: the map's value and the rasteriser's interpolation.
+const float depthRounding = 2.4e-7;
+
+MapPoint toMap(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
+{
+  MapPoint point;
+  vec4 homogeneous = viewToMap * vec4(positionVs, 1.0);
+  float w = homogeneous.w;
+  point.std = homogeneous.xyz / w;
+
+  // The slope, from two tangents: differentials have no cancellation, absolute positions would.
+  vec3 axis = abs(normalVs.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+  vec3 tangent1 = normalize(cross(normalVs, axis));
+  vec3 tangent2 = cross(normalVs, tangent1);
+  vec4 h1 = viewToMap * vec4(tangent1, 0.0);
+  vec4 h2 = viewToMap * vec4(tangent2, 0.0);
+  vec3 d1 = (h1.xyz - point.std * h1.w) / w;
+  vec3 d2 = (h2.xyz - point.std * h2.w) / w;
+  float determinant = d1.x * d2.y - d2.x * d1.y;
+  // Edge-on planes have no slope; below this one the numbers are noise.
+  float least = 1e-5 * length(d1) * length(d2);
+  determinant = abs(determinant) < least ? (determinant < 0.0 ? -least : least) : determinant;
+  point.gradient =
+    vec2(d1.z * d2.y - d2.z * d1.y, d2.z * d1.x - d1.z * d2.x) / max(abs(determinant), 1e-37) *
+    sign(determinant);
+
+  // Rounding of (s, t, d): each is a sum of products of the matrix and the position, over w.
+  vec4 magnitude = vec4(abs(positionVs), 1.0);
+  mat4 absolute = mat4(abs(viewToMap[0]), abs(viewToMap[1]), abs(viewToMap[2]), abs(viewToMap[3]));
+  vec4 sums = absolute * magnitude;
+  vec3 rounding = positionRounding * (sums.xyz + abs(point.std) * sums.w) / abs(w);
+  vec2 slope = abs(point.gradient);
+  point.bias = depthRounding + rounding.z + dot(slope, rounding.xy + 1.0 / depthMapSize);
+  return point;
+}
+
+// The depth a tap must lie in front of to block the receiver.
+float receiverDepth(MapPoint point, vec2 st)
+{
+  return point.std.z + dot(point.gradient, st - point.std.xy) - point.bias;
+}
+
+// The map's depth; beyond its border nothing blocks.
+float mapDepth(vec2 st, float layer)
+{
+  return textureLod(depthMaps, vec3(st, layer), 0.0).r;
+}
+
+bool isBlocked(MapPoint point, vec2 st, float layer)
+{
+  return mapDepth(st, layer) < receiverDepth(point, st);
+}

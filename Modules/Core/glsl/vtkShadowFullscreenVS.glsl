@@ -1,0 +1,8 @@
+//VTK::System::Dec
+
+// One triangle over the whole viewport at depth 0.5, without any vertex buffer.
+void main()
+{
+  vec2 corner = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));
+  gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowLightSampling.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+double RadicalInverse(unsigned int i)
+{
+  double result = 0.0;
+  for (double digit = 0.5; i != 0; i >>= 1, digit *= 0.5)
+  {
+    result += (i & 1u) ? digit : 0.0;
+  }
+  return result;
+}
+
+// Columns of a grid of exactly count cells that is nearly square; 0 if there is none.
+int FindColumns(int count)
+{
+  for (int rows = static_cast<int>(std::sqrt(count + 0.5)); rows >= 1; --rows)
+  {
+    if (count % rows == 0)
+    {
+      return count / rows < 2 * rows ? count / rows : 0;
+    }
+  }
+  return 0;
+}
+
+// [-1, 1]^2 to the unit disk, equal areas to equal areas (Shirley and Chiu 1997).
+void MapToDisk(double& u, double& v)
+{
+  if (u == 0.0 && v == 0.0)
+  {
+    return;
+  }
+  const double quarter = 0.25 * vtkMath::Pi();
+  const bool wide = std::abs(u) > std::abs(v);
+  const double radius = wide ? u : v;
+  const double angle = wide ? quarter * (v / u) : 2.0 * quarter - quarter * (u / v);
+  u = radius * std::cos(angle);
+  v = radius * std::sin(angle);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
+  const vtkShadowEmitter& emitter, int count, int pattern, int weights)
+{
+  count = emitter.HasExtent() ? std::max(count, 1) : 1;
+  const int columns = pattern == HAMMERSLEY ? 0 : FindColumns(count);
+  std::minstd_rand random(1);
+  std::uniform_real_distribution<double> jitter(0.0, 1.0);
+  std::vector<Sample> samples(count);
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    Sample& sample = samples[i];
+    if (columns > 0)
+    {
+      const double offset[2] = { pattern == STRATIFIED ? jitter(random) : 0.5,
+        pattern == STRATIFIED ? jitter(random) : 0.5 };
+      const int rows = count / columns;
+      sample.U = 2.0 * (i % columns + offset[0]) / columns - 1.0;
+      sample.V = 2.0 * (i / columns + offset[1]) / rows - 1.0;
+    }
+    else
+    {
+      sample.U = 2.0 * (i + 0.5) / count - 1.0;
+      // Half a step of the last digit centres the radical inverse, whose mean is under 1/2.
+      sample.V = 2.0 * (RadicalInverse(i) + 0.5 / count) - 1.0;
+    }
+    if (emitter.Shape == vtkShadowEmitter::DISK)
+    {
+      MapToDisk(sample.U, sample.V);
+    }
+    const double window[2] = { emitter.WindowCenter[0] + sample.U * emitter.WindowHalfSize[0],
+      emitter.WindowCenter[1] + sample.V * emitter.WindowHalfSize[1] };
+    sample.Weight = weights == GAUSSIAN
+      ? std::exp(-2.0 * (window[0] * window[0] + window[1] * window[1]))
+      : 1.0;
+    sum += sample.Weight;
+  }
+  for (Sample& sample : samples)
+  {
+    sample.Weight /= sum;
+  }
+  return samples;
+}
+VTK_ABI_NAMESPACE_END

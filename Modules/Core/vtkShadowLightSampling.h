@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkShadowLightSampling
+ * @brief   Points of an emitter with weights that integrate it.
+ *
+ * Points are window coordinates in [-1, 1]^2. Weights sum to 1. Disks are filled by the equal-area
+ * concentric map of Shirley and Chiu 1997, so equal weights are uniform in area.
+ */
+
+#ifndef vtkShadowLightSampling_h
+#define vtkShadowLightSampling_h
+
+#include "vtkRenderingSoftShadowsCoreModule.h" // For export macro
+#include "vtkShadowEmitter.h"                  // For the emitter
+#include "vtkSoftShadowsABI.h"                 // For the ABI namespace
+
+#include <vector> // For samples
+
+VTK_ABI_NAMESPACE_BEGIN
+
+struct VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowLightSampling
+{
+  enum PatternType
+  {
+    /// Cell centres of a grid.
+    GRID = 0,
+    /// One random point in each cell of the grid; the same points in every frame.
+    STRATIFIED = 1,
+    /// Hammersley's points, (i + 1/2) / n and the radical inverse of i: any count is well spread.
+    HAMMERSLEY = 2
+  };
+
+  enum WeightsType
+  {
+    MEAN = 0,
+    /// N(0, 0.5) over the whole light's window [-1, 1]^2; 0.5 is the standard deviation.
+    GAUSSIAN = 1
+  };
+
+  struct Sample
+  {
+    double U;
+    double V;
+    double Weight;
+  };
+
+  /**
+   * count points on the emitter, one if it has no extent. GRID and STRATIFIED need a count with
+   * nearly square factors (edges differing by less than a factor of 2); other counts fall back to
+   * HAMMERSLEY.
+   */
+  static std::vector<Sample> Generate(
+    const vtkShadowEmitter& emitter, int count, int pattern, int weights);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkShadowLightSampling.h

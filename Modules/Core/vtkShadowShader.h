@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkShadowShader
+ * @brief   A fragment shader run over the whole viewport, made of a .glsl file and shared snippets.
+ *
+ * A line `//SoftShadows::Include NAME` in the text is replaced by Core's snippet NAME (the stem of a
+ * file in Modules/Core/glsl), once however often it is asked for. Definitions become #define lines
+ * behind the version. The program is built when first used and again only if the definitions change.
+ *
+ *     if (shader.Use(window))
+ *     {
+ *       shader.GetProgram()->SetUniformf("weight", 0.5f);
+ *       shader.Draw();
+ *     }
+ */
+
+#ifndef vtkShadowShader_h
+#define vtkShadowShader_h
+
+#include "vtkRenderingSoftShadowsCoreModule.h" // For export macro
+#include "vtkSmartPointer.h"                   // For members
+#include "vtkSoftShadowsABI.h"                 // For the ABI namespace
+
+#include <string>  // For text
+#include <utility> // For definitions
+#include <vector>  // For definitions
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+class vtkWindow;
+
+class VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowShader
+{
+public:
+  using Definitions = std::vector<std::pair<std::string, std::string>>;
+
+  /// text: a fragment shader as encoded from a .glsl file; kept, not copied.
+  explicit vtkShadowShader(const char* text);
+  ~vtkShadowShader();
+  vtkShadowShader(const vtkShadowShader&) = delete;
+  vtkShadowShader& operator=(const vtkShadowShader&) = delete;
+
+  /**
+   * The text with its includes and definitions in place. An unknown include becomes an #error line.
+   */
+  static std::string Compose(const char* text, const Definitions& definitions = Definitions());
+
+  /// What C++ and GLSL share (stages, receiver marks), added to every composed text.
+  static Definitions CommonDefinitions();
+
+  /// Replaces the definitions; the program is rebuilt at the next Use if they differ.
+  void SetDefinitions(const Definitions& definitions);
+
+  /// Makes the program current, building it if need be. False if it does not compile.
+  bool Use(vtkOpenGLRenderWindow* window);
+
+  vtkShaderProgram* GetProgram() const { return this->Program; }
+
+  /// Number of times the program was built.
+  int GetNumberOfBuilds() const { return this->NumberOfBuilds; }
+
+  /// Draws over the viewport at depth 0.5. The program must be in use.
+  void Draw();
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  const char* Text;
+  Definitions Defined;
+  vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
+  vtkSmartPointer<vtkOpenGLVertexArrayObject> VertexArray;
+  int NumberOfBuilds = 0;
+};
+
+/// Marks in the receivers' position texture (w) and values of the stage uniform.
+enum vtkSoftShadowMarks
+{
+  VTK_SOFT_SHADOW_STAGE_SHADE = 0,
+  VTK_SOFT_SHADOW_STAGE_RECEIVE = 1,
+  VTK_SOFT_SHADOW_SURFACE = 2,
+  VTK_SOFT_SHADOW_RECEIVES = 3
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkShadowShader.h

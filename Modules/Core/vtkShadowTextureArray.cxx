@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowTextureArray.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkSoftShadowsOpenGL.h"
+#include "vtkTextureUnitManager.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkShadowTextureArray);
+
+namespace
+{
+struct FormatInfo
+{
+  GLint Internal;
+  GLenum External;
+  int Components;
+};
+
+FormatInfo GetFormatInfo(int format)
+{
+  switch (format)
+  {
+    case vtkShadowTextureArray::RG32F:
+      return { GL_RG32F, GL_RG, 2 };
+    case vtkShadowTextureArray::RGBA32F:
+      return { GL_RGBA32F, GL_RGBA, 4 };
+    case vtkShadowTextureArray::DEPTH32F:
+      return { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 1 };
+    default:
+      return { GL_R32F, GL_RED, 1 };
+  }
+}
+
+void SetParameters(int format, int levels)
+{
+  const GLenum target = GL_TEXTURE_2D_ARRAY;
+  glTexParameteri(
+    target, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
+  glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  // Beyond a depth map lies nothing: infinitely far.
+  const float border = format == vtkShadowTextureArray::DEPTH32F ? 1.0f : 0.0f;
+  const float borderColor[4] = { border, border, border, border };
+  glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, borderColor);
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkShadowTextureArray::~vtkShadowTextureArray()
+{
+  if (this->Handle)
+  {
+    this->ReleaseGraphicsResources(this->Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowTextureArray::Allocate(
+  vtkOpenGLRenderWindow* window, int format, int width, int height, int layers, int levels)
+{
+  if (this->Handle && this->Window == window && this->Format == format && this->Width == width &&
+    this->Height == height && this->Layers == layers && this->Levels == levels)
+  {
+    return true;
+  }
+  this->ReleaseGraphicsResources(this->Window);
+
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const int mostLayers = vtkShadowTextureArray::GetMaximumLayers(window);
+  if (width < 1 || height < 1 || layers < 1 || levels < 1 || width > largest || height > largest ||
+    layers > mostLayers)
+  {
+    vtkErrorMacro("A texture of " << width << " x " << height << " texels and " << layers
+                                  << " layers cannot be made; this OpenGL allows " << largest
+                                  << " texels along an edge and " << mostLayers << " layers.");
+    return false;
+  }
+
+  this->Window = window;
+  this->Format = format;
+  this->Width = width;
+  this->Height = height;
+  this->Layers = layers;
+  this->Levels = levels;
+  glGenTextures(1, &this->Handle);
+  this->Activate();
+  SetParameters(format, levels);
+  const FormatInfo info = GetFormatInfo(format);
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  for (int level = 0; level < levels; ++level)
+  {
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, level, info.Internal, std::max(width >> level, 1),
+      std::max(height >> level, 1), layers, 0, info.External, GL_FLOAT, nullptr);
+  }
+  const bool outOfMemory = glGetError() == GL_OUT_OF_MEMORY;
+  this->Deactivate();
+  if (outOfMemory)
+  {
+    vtkErrorMacro("No memory for a texture of " << width << " x " << height << " texels and "
+                                                << layers << " layers ("
+                                                << this->GetBytes() / (1 << 20) << " MiB).");
+    this->ReleaseGraphicsResources(window);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkShadowTextureArray::GetBytes() const
+{
+  if (!this->Handle)
+  {
+    return 0;
+  }
+  vtkTypeInt64 texels = 0;
+  for (int level = 0; level < this->Levels; ++level)
+  {
+    texels += static_cast<vtkTypeInt64>(std::max(this->Width >> level, 1)) *
+      std::max(this->Height >> level, 1);
+  }
+  return texels * this->Layers * GetFormatInfo(this->Format).Components * 4;
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowTextureArray::GetMaximumLayers(vtkOpenGLRenderWindow*)
+{
+  GLint layers = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
+  return layers;
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowTextureArray::Activate()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  this->Unit = state->GetTextureUnitManager()->Allocate();
+  state->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, this->Handle);
+  return this->Unit;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::Deactivate()
+{
+  if (this->Unit < 0)
+  {
+    return;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  state->GetTextureUnitManager()->Free(this->Unit);
+  this->Unit = -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::AttachLayer(int layer, int level, int colorAttachment)
+{
+  const GLenum attachment =
+    this->Format == DEPTH32F ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0 + colorAttachment;
+  glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, attachment, this->Handle, level, layer);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::SetLevelRange(int base, int maximum)
+{
+  this->Activate();
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, base);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, maximum);
+  this->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkShadowTextureArray::ReadLayer(int layer, int level)
+{
+  const FormatInfo info = GetFormatInfo(this->Format);
+  const int width = std::max(this->Width >> level, 1);
+  const int height = std::max(this->Height >> level, 1);
+  std::vector<float> values(static_cast<size_t>(width) * height * info.Components);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushReadFramebufferBinding();
+  GLuint framebuffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  const bool isDepth = this->Format == DEPTH32F;
+  glFramebufferTextureLayer(GL_READ_FRAMEBUFFER,
+    isDepth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0, this->Handle, level, layer);
+  state->vtkglReadBuffer(isDepth ? GL_NONE : GL_COLOR_ATTACHMENT0);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, width, height, info.External, GL_FLOAT, values.data());
+  state->PopReadFramebufferBinding();
+  glDeleteFramebuffers(1, &framebuffer);
+  return values;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::ReleaseGraphicsResources(vtkWindow*)
+{
+  if (this->Handle)
+  {
+    this->Deactivate();
+    glDeleteTextures(1, &this->Handle);
+    this->Handle = 0;
+  }
+  this->Window = nullptr;
+  this->Width = this->Height = this->Layers = this->Levels = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Width: " << this->Width << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "Bytes: " << this->GetBytes() << "\n";
+}
+VTK_ABI_NAMESPACE_END
