@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkShadowReceivers
+ * @brief   The visible points: view position and plane of the front-most opaque surface per pixel.
+ *
+ * Two RGBA32F textures of the viewport's size. Position: xyz in view coordinates, w is
+ * VTK_SOFT_SHADOW_RECEIVES, VTK_SOFT_SHADOW_SURFACE (receives nothing), or anything else where there
+ * is no surface. Normal: xyz is the unit normal of the visible triangle's plane, towards the camera.
+ */
+
+#ifndef vtkShadowReceivers_h
+#define vtkShadowReceivers_h
+
+#include "vtkNew.h" // For members
+#include "vtkObject.h"
+#include "vtkRenderingSoftShadowsVisibilityModule.h" // For export macro
+#include "vtkSmartPointer.h"                         // For the image
+#include "vtkSoftShadowsABI.h"                       // For the ABI namespace
+
+#include <array> // For matrices
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkShadowReceivers : public vtkObject
+{
+public:
+  static vtkShadowReceivers* New();
+  vtkTypeMacro(vtkShadowReceivers, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Makes textures of the size, binds them for drawing and clears them. Returns true if they were
+   * made or resized. Every Begin needs its End, which restores the framebuffer.
+   */
+  bool Begin(vtkRenderer* renderer, int width, int height);
+  void End(vtkRenderer* renderer);
+
+  ///@{
+  /// Size in pixels.
+  vtkGetMacro(Width, int);
+  vtkGetMacro(Height, int);
+  ///@}
+
+  /// View to world coordinates of the camera that drew the receivers, row-major.
+  const std::array<double, 16>& GetViewToWorld() const { return this->ViewToWorld; }
+
+  ///@{
+  /// Binds the textures and sets the samplers of the snippet vtkShadowReceiver; needs Deactivate.
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+  ///@}
+
+  vtkTextureObject* GetPositions() { return this->Positions; }
+  vtkTextureObject* GetNormals() { return this->Normals; }
+
+  /// Bytes of the textures.
+  vtkTypeInt64 GetBytes() const;
+
+  /// Linear view depth, float, NaN where there is no surface, bottom row first.
+  vtkSmartPointer<vtkImageData> ReadDepth();
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkShadowReceivers();
+  ~vtkShadowReceivers() override;
+
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkNew<vtkTextureObject> Positions;
+  vtkNew<vtkTextureObject> Normals;
+  vtkNew<vtkTextureObject> Depth;
+  int Width = 0;
+  int Height = 0;
+  std::array<double, 16> ViewToWorld;
+
+private:
+  vtkShadowReceivers(const vtkShadowReceivers&) = delete;
+  void operator=(const vtkShadowReceivers&) = delete;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSoftShadowPass
+ * @brief   Draws opaque props with the visibility of area lights; the technique is a subclass.
+ *
+ * A frame, in order:
+ *  1. casters: bring the cached geometry up to date;
+ *  2. maps: bake the depth maps that something changed;
+ *  3. receivers: the visible point of every pixel, drawn by the mappers' own programs;
+ *  4. visibility: per light, prove pixels lit or blocked where the technique allows it, and let the
+ *     technique estimate the rest, one emitter (a light or a part of one) at a time;
+ *  5. shading: the mappers draw as ever, each light's colour multiplied by its visibility.
+ * Steps 3 and 4 are skipped while neither camera, lights, props nor settings change.
+ *
+ * Use as the opaque pass of a vtkRenderStepsPass:
+ *
+ *     steps->SetOpaquePass(shadows);
+ *     renderer->SetPass(steps);
+ *
+ * The visibility of a light at a pixel is in [0, 1], 1 fully lit and 0 umbra. It can be read as an
+ * image. Opaque surfaces receive; translucent props and unlit surfaces neither receive nor cast.
+ *
+ * @sa vtkAreaLight vtkShadowCasters
+ */
+
+#ifndef vtkSoftShadowPass_h
+#define vtkSoftShadowPass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderingSoftShadowsVisibilityModule.h" // For export macro
+#include "vtkShadowEmitter.h"                        // For the emitter of a context
+#include "vtkSmartPointer.h"                         // For images
+#include "vtkSoftShadowStatistics.h"                 // For statistics
+#include "vtkSoftShadowsABI.h"                       // For the ABI namespace
+
+#include <memory> // For the implementation
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+class vtkLight;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkShadowCasters;
+class vtkShadowDepthMaps;
+class vtkShadowDepthPyramid;
+class vtkShadowMapFitter;
+class vtkShadowReceivers;
+class vtkShadowShader;
+class vtkShadowTextureArray;
+struct vtkShadowMapView;
+
+/// What a technique is given for one emitter.
+struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
+{
+  vtkRenderer* Renderer = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkShadowCasters* Casters = nullptr;
+  const vtkShadowMapFitter* Fitter = nullptr;
+  vtkShadowReceivers* Receivers = nullptr;
+  /// Which of the lit lights, in the renderer's order, and which of its emitters (faces x parts).
+  int Light = 0;
+  int Part = 0;
+  /// The emitter; Weight is what its visibility is multiplied by.
+  vtkShadowEmitter Emitter;
+  /// If the technique wants a map from the emitter's centre: the maps, and the layer to look at.
+  vtkShadowDepthMaps* Maps = nullptr;
+  int Layer = 0;
+  /// A pyramid over Maps if the technique wants one.
+  vtkShadowDepthPyramid* Pyramid = nullptr;
+};
+
+class VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowPass : public vtkOpenGLRenderPass
+{
+public:
+  vtkTypeMacro(vtkSoftShadowPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * The pass that draws opaque props in step 5. Default (null) draws each prop's opaque geometry.
+   */
+  void SetDelegatePass(vtkRenderPass* pass);
+  vtkRenderPass* GetDelegatePass() { return this->DelegatePass; }
+  ///@}
+
+  ///@{
+  /**
+   * Texels along an edge of a depth map, in [32, 16384]. More resolve finer casters and closer
+   * contacts; cost is quadratic, when baking. Default is 2048.
+   */
+  vtkSetClampMacro(MapSize, int, 32, 16384);
+  vtkGetMacro(MapSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Cuts every light into Split x Split parts, each with a map and a kernel of its own, in [1, 32].
+   * Every technique converges to the truth as it grows; cost grows with its square. Default is 1.
+   */
+  vtkSetClampMacro(Split, int, 1, 32);
+  vtkGetMacro(Split, int);
+  ///@}
+
+  ///@{
+  /**
+   * Prove pixels fully lit or fully blocked from the pyramid of depths before filtering. Changes no
+   * result beyond rounding, only the time. Default is on.
+   */
+  vtkSetMacro(EarlyOut, bool);
+  vtkGetMacro(EarlyOut, bool);
+  vtkBooleanMacro(EarlyOut, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The visibility of a light in the last frame: float, one component, the size of the viewport,
+   * bottom row first. NaN where there is no surface, where the surface receives no shadow or is
+   * unlit, and outside the light's cone or behind it. Null if the light was not lit. Waits for the
+   * GPU; needs the window's context.
+   */
+  vtkSmartPointer<vtkImageData> GetVisibilityImage(vtkLight* light);
+  vtkSmartPointer<vtkImageData> GetVisibilityImage(int litLight);
+  ///@}
+
+  /// Linear view depth of the receivers in the last frame, NaN where there is no surface.
+  vtkSmartPointer<vtkImageData> GetDepthImage();
+
+  ///@{
+  /**
+   * The visibilities as a texture for other passes: R32F, a layer per casting light, negative where
+   * there is no value. GetVisibilityLayer is -1 for lights that cast nothing (visibility 1).
+   */
+  vtkShadowTextureArray* GetVisibilityTexture();
+  int GetVisibilityLayer(vtkLight* light) const;
+  ///@}
+
+  /// Counts and times.
+  const vtkSoftShadowStatistics& GetStatistics();
+
+  /// A line per light of the renderer in the last frame: what it casts, or why it casts nothing.
+  std::string GetLightReport() const;
+
+  ///@{
+  /// Hooks that mappers call; see vtkOpenGLRenderPass.
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  ///@}
+
+protected:
+  vtkSoftShadowPass();
+  ~vtkSoftShadowPass() override;
+
+  /**
+   * Adds Emitter.Weight times the emitter's visibility to the bound framebuffer for every pixel that
+   * is neither proved nor out of the light's reach. Framebuffer, viewport, additive blending and the
+   * depth test that keeps other pixels untouched are set up and must be the same after the call; a
+   * technique draws with vtkShadowShader::Draw (depth 0.5), writing the product to gl_FragData[0].
+   */
+  virtual void AddVisibility(const vtkSoftShadowContext& context) = 0;
+
+  /// Whether AddVisibility needs a map from the emitter's centre. Default is yes.
+  virtual bool NeedsEmitterMap() const { return true; }
+
+  /// Whether those maps are rasterised conservatively. Default is no.
+  virtual bool NeedsConservativeMaps() const { return false; }
+
+  /// Whether AddVisibility reads the pyramid of the emitter's map. Default is no.
+  virtual bool NeedsPyramid() const { return false; }
+
+  /// What the pyramid of the whole light's map may prove without changing the technique's result.
+  enum ProofType
+  {
+    PROVES_NOTHING = 0,
+    PROVES_LIT = 1,
+    PROVES_LIT_AND_BLOCKED = 2
+  };
+  virtual int GetProof() const { return PROVES_LIT_AND_BLOCKED; }
+
+  /**
+   * Sets the uniforms of the snippets vtkShadowReceiver and vtkShadowLight and binds the receivers.
+   * Needs DeactivateReceivers.
+   */
+  void SetReceiverUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context);
+
+  /// Sets the uniforms of vtkShadowDepthMap and vtkShadowKernel for a view, but for the sampler.
+  static void SetMapUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
+    const vtkShadowMapView& view, int mapSize);
+
+  /// View to map coordinates, column-major as OpenGL takes it, composed in double.
+  static void ViewToMap(
+    const vtkSoftShadowContext& context, const vtkShadowMapView& view, float matrix[16]);
+
+  /// Draws the technique's shader and counts the pixels that it filters.
+  void DrawFiltered(vtkShadowShader& shader);
+
+  /// For counts that techniques add to: allocations, maps, shader builds.
+  vtkSoftShadowStatistics& ChangeStatistics();
+
+  vtkRenderPass* DelegatePass = nullptr;
+  int MapSize = 2048;
+  int Split = 1;
+  bool EarlyOut = true;
+
+private:
+  vtkSoftShadowPass(const vtkSoftShadowPass&) = delete;
+  void operator=(const vtkSoftShadowPass&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

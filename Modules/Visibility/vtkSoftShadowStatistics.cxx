@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSoftShadowStatistics.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+std::vector<std::pair<std::string, vtkTypeInt64>> vtkSoftShadowStatistics::GetCounts() const
+{
+  return { { "frames", this->Frames }, { "visibility_frames", this->VisibilityFrames },
+    { "maps_baked", this->MapsBaked }, { "texels_drawn", this->TexelsDrawn },
+    { "draw_calls", this->DrawCalls }, { "shader_builds", this->ShaderBuilds },
+    { "mapper_shader_builds", this->MapperShaderBuilds }, { "allocations", this->Allocations },
+    { "pixels_filtered", this->PixelsFiltered }, { "lights_casting", this->LightsCasting },
+    { "lights_lit", this->LightsLit }, { "casters", this->Casters },
+    { "mapper_casters", this->MapperCasters }, { "triangles", this->Triangles },
+    { "bytes_held", this->BytesHeld } };
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSoftShadowStatistics
+ * @brief   What a soft-shadow pass did: counts since construction and times of the last frame.
+ */
+
+#ifndef vtkSoftShadowStatistics_h
+#define vtkSoftShadowStatistics_h
+
+#include "vtkRenderingSoftShadowsVisibilityModule.h" // For export macro
+#include "vtkSoftShadowsABI.h"                       // For the ABI namespace
+#include "vtkType.h"                                 // For vtkTypeInt64
+
+#include <string>  // For names
+#include <utility> // For pairs
+#include <vector>  // For lists
+
+VTK_ABI_NAMESPACE_BEGIN
+
+struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowStatistics
+{
+  ///@{
+  /// Totals since construction.
+  vtkTypeInt64 Frames = 0;
+  /// Frames whose receivers and visibility were drawn; the others reused the last ones.
+  vtkTypeInt64 VisibilityFrames = 0;
+  vtkTypeInt64 MapsBaked = 0;
+  /// Texels of the maps that were baked.
+  vtkTypeInt64 TexelsDrawn = 0;
+  /// Draw calls into depth maps.
+  vtkTypeInt64 DrawCalls = 0;
+  /// Times a program of a technique was built.
+  vtkTypeInt64 ShaderBuilds = 0;
+  /// Times a mapper asked the pass for its part of a program.
+  vtkTypeInt64 MapperShaderBuilds = 0;
+  /// Times a texture or a buffer was made or resized.
+  vtkTypeInt64 Allocations = 0;
+  ///@}
+
+  ///@{
+  /// The last frame that drew visibility.
+  /// Pixels and lights that a technique had to filter: neither proved lit nor proved blocked.
+  vtkTypeInt64 PixelsFiltered = 0;
+  int LightsCasting = 0;
+  int LightsLit = 0;
+  ///@}
+
+  ///@{
+  /// Now.
+  int Casters = 0;
+  int MapperCasters = 0;
+  vtkTypeInt64 Triangles = 0;
+  vtkTypeInt64 BytesHeld = 0;
+  ///@}
+
+  /// Milliseconds per step of the newest frame whose timer queries have come back, in frame order.
+  std::vector<std::pair<std::string, double>> Milliseconds;
+
+  /// All counts by name, in the order above.
+  std::vector<std::pair<std::string, vtkTypeInt64>> GetCounts() const;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkSoftShadowStatistics.h
