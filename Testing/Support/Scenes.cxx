@@ -84,10 +84,10 @@ void AddActors(Scene& scene, const Point& middle, double halfSize)
 }
 
 //------------------------------------------------------------------------------
-Scene NewScene(const std::string& name, const Placement& placement)
+Scene NewScene(const std::string& description, const Placement& placement)
 {
   Scene scene;
-  scene.Name = name;
+  scene.Description = description;
   scene.Where = placement;
   scene.Renderer = vtkSmartPointer<vtkRenderer>::New();
   scene.Light = vtkSmartPointer<vtkAreaLight>::New();
@@ -173,8 +173,8 @@ Plane Scene::GetReceiver() const
 //------------------------------------------------------------------------------
 Scene MakeRectangleScene(Weights weights, const Placement& placement)
 {
-  Scene scene = NewScene(weights == Weights::Mean ? "Rectangle" : "RectangleGaussian", placement);
-  scene.Description = "square of 1 at height 1 under a light of 0.7 x 0.5 at height 3";
+  Scene scene =
+    NewScene("square of 1 at height 1 under a light of 0.7 x 0.5 at height 3", placement);
   scene.LightWeights = weights;
   const Rectangle blocker{ { { -0.5, 0.5 } }, { { -0.5, 0.5 } }, 1.0 };
   const Point lamp = { { 0.3, -0.2, 3.0 } };
@@ -203,8 +203,8 @@ Scene MakeRectangleScene(Weights weights, const Placement& placement)
 //------------------------------------------------------------------------------
 Scene MakeDiskScene(const Placement& placement)
 {
-  Scene scene = NewScene("Disk", placement);
-  scene.Description = "half plane x <= 0 at height 1 under a disk of radius 0.4 at height 3";
+  Scene scene =
+    NewScene("half plane x <= 0 at height 1 under a disk of radius 0.4 at height 3", placement);
   const Point lamp = { { 0.2, 0.1, 3.0 } };
   const double radius = 0.4;
 
@@ -228,13 +228,10 @@ Scene MakeDiskScene(const Placement& placement)
 //------------------------------------------------------------------------------
 Scene MakeSunScene(double degrees, bool inclined, const Placement& placement)
 {
-  std::ostringstream name;
-  name << "Sun" << std::lround(100.0 * degrees) << (inclined ? "Inclined" : "Vertical");
-  Scene scene = NewScene(name.str(), placement);
   std::ostringstream description;
   description << "half plane at distance 10 under a sun of " << degrees << " degrees, "
               << (inclined ? "50 degrees above the plane" : "vertically above the plane");
-  scene.Description = description.str();
+  Scene scene = NewScene(description.str(), placement);
 
   const double diameter = vtkMath::RadiansFromDegrees(degrees);
   const double distance = 10.0;
@@ -268,14 +265,16 @@ Scene MakeSunScene(double degrees, bool inclined, const Placement& placement)
 }
 
 //------------------------------------------------------------------------------
-std::vector<SceneFactory> ClosedFormScenes()
+std::vector<NamedScene> ClosedFormScenes()
 {
-  return { [](const Placement& p) { return MakeRectangleScene(Weights::Mean, p); },
-    [](const Placement& p) { return MakeDiskScene(p); },
-    [](const Placement& p) { return MakeSunScene(0.53, false, p); },
-    [](const Placement& p) { return MakeSunScene(0.53, true, p); },
-    [](const Placement& p) { return MakeSunScene(5.0, false, p); },
-    [](const Placement& p) { return MakeSunScene(5.0, true, p); } };
+  return {
+    { "Rectangle", [](const Placement& p) { return MakeRectangleScene(Weights::Mean, p); } },
+    { "Disk", [](const Placement& p) { return MakeDiskScene(p); } },
+    { "Sun053Vertical", [](const Placement& p) { return MakeSunScene(0.53, false, p); } },
+    { "Sun053Inclined", [](const Placement& p) { return MakeSunScene(0.53, true, p); } },
+    { "Sun5Vertical", [](const Placement& p) { return MakeSunScene(5.0, false, p); } },
+    { "Sun5Inclined", [](const Placement& p) { return MakeSunScene(5.0, true, p); } },
+  };
 }
 
 //------------------------------------------------------------------------------

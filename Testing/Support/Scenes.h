@@ -54,7 +54,6 @@ vtkSmartPointer<vtkActor> MakeQuadActor(const Quad& quad, const Placement& place
 
 struct Scene
 {
-  std::string Name;
   std::string Description;
   Weights LightWeights = Weights::Mean;
   Placement Where;
@@ -93,8 +92,14 @@ Scene MakeSunScene(double degrees, bool inclined, const Placement& placement = P
 
 using SceneFactory = std::function<Scene(const Placement&)>;
 
-/// All of the above that have uniform weights.
-std::vector<SceneFactory> ClosedFormScenes();
+struct NamedScene
+{
+  std::string Name;
+  SceneFactory Make;
+};
+
+/// All of the above that have uniform weights. Makes no scene, so it may be called anywhere.
+std::vector<NamedScene> ClosedFormScenes();
 
 /// One pixel that shows the receiving plane where the closed form holds.
 struct PlanePixel
