@@ -22,7 +22,8 @@ mkdir -p "$pictures"
 failed=0
 for technique in $techniques; do
     picture="$pictures/bunny-$technique.png"
-    if xvfb-run -a "$tool" render "$scene" --technique "$technique" -o "$picture"; then
+    if Utilities/Scripts/offscreen.sh \
+        "$tool" render "$scene" --technique "$technique" -o "$picture"; then
         echo "  $picture"
     else
         echo "  $technique failed" >&2

@@ -16,7 +16,8 @@ cmake --build "$build" -j "$jobs"
 
 log="$build/ctest.log"
 status=0
-xvfb-run -a ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$jobs" "$@" 2>&1 |
+Utilities/Scripts/offscreen.sh \
+    ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$jobs" "$@" 2>&1 |
     tee "$log" || status=$?
 
 summary="$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests failed out of ([0-9]+)$/\1 \2/p' "$log")"

@@ -14,11 +14,16 @@ fi
 log="$build/tidy.log"
 status=0
 run-clang-tidy -quiet -p "$build" -j "$(nproc)" "^$root/$pattern" >"$log" 2>&1 || status=$?
+sed -i "s:\x1b\[[0-9;]*m::g" "$log"
+sed -i 's/\x1b\[[0-9;]*m//g' "$log" # colours
 grep -E -A 4 '(warning|error):' "$log" || true
 count="$(grep -c '^clang-tidy' "$log" || true)"
 if [ "$count" -eq 0 ]; then
     echo "tidy: no file matches"
     exit 1
 fi
-echo "tidy: $count files, $([ "$status" -eq 0 ] && echo clean || echo "complaints; all output is in $log")"
-[ "$status" -eq 0 ]
+if [ "$status" -ne 0 ]; then
+    echo "tidy: $count files, with complaints; all output is in $log"
+    exit 1
+fi
+echo "tidy: $count files, clean"
