@@ -31,10 +31,9 @@ void vtkAreaLight::SetSize(double width, double height)
 {
   if (!std::isfinite(width) || !std::isfinite(height) || width < 0.0 || height < 0.0)
   {
-    vtkErrorMacro("Size must be finite and not negative, but is (" << width << ", " << height
-                                                                    << "); it stays ("
-                                                                    << this->Size[0] << ", "
-                                                                    << this->Size[1] << ").");
+    vtkErrorMacro("Size must be finite and not negative, but is ("
+      << width << ", " << height << "); it stays (" << this->Size[0] << ", " << this->Size[1]
+      << ").");
     return;
   }
   if (this->Size[0] != width || this->Size[1] != height)

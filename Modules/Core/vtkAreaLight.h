@@ -7,15 +7,15 @@
  * The light is everything a vtkLight is, and mappers shade with it as with any other. The extent is
  * read by the soft-shadow passes alone: it decides how much of the light a surface point sees.
  *
- * A positional light is a rectangle, a disk or a point around the light's position, perpendicular to
- * its direction (focal point - position). Rectangles and disks shine to their front only. A
+ * A positional light is a rectangle, a disk or a point around the light's position, perpendicular
+ * to its direction (focal point - position). Rectangles and disks shine to their front only. A
  * directional light is a disk of directions, uniform in solid angle, of AngularDiameter degrees.
  *
  * The light's own plane has the axes direction x ViewUp (first component of Size) and ViewUp made
  * perpendicular to the direction (second component).
  *
- * A plain vtkLight casts a hard shadow, unless it carries vtkOSPRayLightNode's RADIUS key: then it is
- * a disk of that radius, or, directional, a sun of that many degrees.
+ * A plain vtkLight casts a hard shadow, unless it carries vtkOSPRayLightNode's RADIUS key: then it
+ * is a disk of that radius, or, directional, a sun of that many degrees.
  *
  * @sa vtkSoftShadowPass vtkShadowEmitter
  */
@@ -69,9 +69,9 @@ public:
 
   ///@{
   /**
-   * Up direction of the light's plane, in the coordinates of the light's position (world coordinates
-   * for a scene light). The null vector, the default, takes the axis least aligned with the light's
-   * direction (x before y before z among equals); so does a vector along the direction.
+   * Up direction of the light's plane, in the coordinates of the light's position (world
+   * coordinates for a scene light). The null vector, the default, takes the axis least aligned with
+   * the light's direction (x before y before z among equals); so does a vector along the direction.
    */
   vtkSetVector3Macro(ViewUp, double);
   vtkGetVector3Macro(ViewUp, double);

@@ -100,7 +100,8 @@ CellMoments IntegrateCell(bool disk, bool gaussian, const double low[2], const d
   for (int axis = 0; axis < 2 && area > 0.0; ++axis)
   {
     moments.Mean[axis] /= area;
-    moments.Variance[axis] = moments.Variance[axis] / area - moments.Mean[axis] * moments.Mean[axis];
+    moments.Variance[axis] =
+      moments.Variance[axis] / area - moments.Mean[axis] * moments.Mean[axis];
   }
   return moments;
 }

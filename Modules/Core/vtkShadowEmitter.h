@@ -7,8 +7,8 @@
  * A technique is given one emitter at a time and never assumes that it is a whole light. Emitter
  * coordinates (x, y, z) are distances along AxisU, AxisV and Direction from Center.
  *
- * A directional emitter has no position: Center is any point, x and y of a direction are tangents of
- * the angles to Direction, and HalfSize is the tangent of half the angular diameter.
+ * A directional emitter has no position: Center is any point, x and y of a direction are tangents
+ * of the angles to Direction, and HalfSize is the tangent of half the angular diameter.
  */
 
 #ifndef vtkShadowEmitter_h
@@ -44,7 +44,8 @@ struct VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowEmitter
   std::array<double, 3> AxisU = { { 1.0, 0.0, 0.0 } };
   std::array<double, 3> AxisV = { { 0.0, 1.0, 0.0 } };
   std::array<double, 3> Direction = { { 0.0, 0.0, -1.0 } };
-  /// Half the extent along AxisU and AxisV: world units, or tangents if directional. Zero for points.
+  /// Half the extent along AxisU and AxisV: world units, or tangents if directional. Zero for
+  /// points.
   std::array<double, 2> HalfSize = { { 0.0, 0.0 } };
   /// This part's share of the whole light, in (0, 1]; the parts of a light sum to 1.
   double Weight = 1.0;
@@ -61,15 +62,16 @@ struct VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowEmitter
 
   /**
    * The emitter of a light as VTK sees it now (its transform applied). False, with the reason in
-   * words, for a light that can cast no shadow. A light that is switched off is not asked about here.
+   * words, for a light that can cast no shadow. A light that is switched off is not asked about
+   * here.
    */
   static bool FromLight(vtkLight* light, vtkShadowEmitter& emitter, std::string& reason);
 
   /**
    * The emitter cut into countU x countV parts of its window, each a rectangle with the area's
    * centroid and second moments of what the emitter has there; cells that a disk does not touch are
-   * left out. Weights are areas, or, if gaussian, the integrals of N(0, 0.5) over the window [-1, 1].
-   * An emitter without extent is its own only part.
+   * left out. Weights are areas, or, if gaussian, the integrals of N(0, 0.5) over the window [-1,
+   * 1]. An emitter without extent is its own only part.
    */
   std::vector<vtkShadowEmitter> Split(int countU, int countV, bool gaussian = false) const;
 

@@ -85,9 +85,8 @@ std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
     }
     const double window[2] = { emitter.WindowCenter[0] + sample.U * emitter.WindowHalfSize[0],
       emitter.WindowCenter[1] + sample.V * emitter.WindowHalfSize[1] };
-    sample.Weight = weights == GAUSSIAN
-      ? std::exp(-2.0 * (window[0] * window[0] + window[1] * window[1]))
-      : 1.0;
+    sample.Weight =
+      weights == GAUSSIAN ? std::exp(-2.0 * (window[0] * window[0] + window[1] * window[1])) : 1.0;
     sum += sample.Weight;
   }
   for (Sample& sample : samples)

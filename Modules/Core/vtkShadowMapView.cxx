@@ -62,8 +62,7 @@ std::array<double, 2> vtkShadowMapView::GetKernelScale() const
 {
   // Positional: offset in x / z is h (1 / z_o - 1 / z_q) = -h b (d_q - d_o).
   // Directional: offset in x is h (z_q - z_o) = h b (d_q - d_o).
-  const double perDepth =
-    (this->Emitter.Directional ? 1.0 : -1.0) * this->GetDepthToLinear()[1];
+  const double perDepth = (this->Emitter.Directional ? 1.0 : -1.0) * this->GetDepthToLinear()[1];
   return { { this->Emitter.HalfSize[0] * perDepth / (this->Window[1] - this->Window[0]),
     this->Emitter.HalfSize[1] * perDepth / (this->Window[3] - this->Window[2]) } };
 }

@@ -8,10 +8,12 @@
 #include "vtkShaderProgram.h"
 #include "vtkSoftShadowsOpenGL.h"
 
+#include "vtkShadowBlocker.h"
 #include "vtkShadowDepthMap.h"
 #include "vtkShadowFullscreenVS.h"
 #include "vtkShadowKernel.h"
 #include "vtkShadowLight.h"
+#include "vtkShadowProof.h"
 #include "vtkShadowReceiver.h"
 
 #include <set>
@@ -25,9 +27,11 @@ const std::string IncludeMark = "//SoftShadows::Include ";
 const char* FindSnippet(const std::string& name)
 {
   const std::pair<const char*, const char*> snippets[] = {
+    { "vtkShadowBlocker", vtkShadowBlocker },
     { "vtkShadowDepthMap", vtkShadowDepthMap },
     { "vtkShadowKernel", vtkShadowKernel },
     { "vtkShadowLight", vtkShadowLight },
+    { "vtkShadowProof", vtkShadowProof },
     { "vtkShadowReceiver", vtkShadowReceiver },
   };
   for (const auto& snippet : snippets)

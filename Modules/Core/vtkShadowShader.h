@@ -4,9 +4,10 @@
  * @class   vtkShadowShader
  * @brief   A fragment shader run over the whole viewport, made of a .glsl file and shared snippets.
  *
- * A line `//SoftShadows::Include NAME` in the text is replaced by Core's snippet NAME (the stem of a
- * file in Modules/Core/glsl), once however often it is asked for. Definitions become #define lines
- * behind the version. The program is built when first used and again only if the definitions change.
+ * A line `//SoftShadows::Include NAME` in the text is replaced by Core's snippet NAME (the stem of
+ * a file in Modules/Core/glsl), once however often it is asked for. Definitions become #define
+ * lines behind the version. The program is built when first used and again only if the definitions
+ * change.
  *
  *     if (shader.Use(window))
  *     {

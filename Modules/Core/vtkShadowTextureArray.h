@@ -4,8 +4,8 @@
  * @class   vtkShadowTextureArray
  * @brief   An OpenGL two-dimensional array texture with the few operations the passes need.
  *
- * vtkTextureObject knows no array textures; every call on them stands here. Depth maps, pyramids and
- * visibilities are array textures, one layer per map or light.
+ * vtkTextureObject knows no array textures; every call on them stands here. Depth maps, pyramids
+ * and visibilities are array textures, one layer per map or light.
  *
  * Nearest filtering; outside the border colour, which is 1 (infinitely far) for depth formats.
  */
@@ -62,8 +62,8 @@ public:
   static int GetMaximumLayers(vtkOpenGLRenderWindow* window);
 
   /**
-   * Binds the texture to a texture unit of its own and returns the unit, for a sampler2DArray. Every
-   * Activate needs its Deactivate.
+   * Binds the texture to a texture unit of its own and returns the unit, for a sampler2DArray.
+   * Every Activate needs its Deactivate.
    */
   int Activate();
   void Deactivate();
@@ -72,8 +72,8 @@ public:
   vtkGetMacro(Handle, unsigned int);
 
   /**
-   * Attaches a layer to the draw framebuffer that is bound now: as its depth attachment if the format
-   * is a depth format, else as colour attachment.
+   * Attaches a layer to the draw framebuffer that is bound now: as its depth attachment if the
+   * format is a depth format, else as colour attachment.
    */
   void AttachLayer(int layer, int level = 0, int colorAttachment = 0);
 

@@ -5,8 +5,9 @@
  * @brief   The visible points: view position and plane of the front-most opaque surface per pixel.
  *
  * Two RGBA32F textures of the viewport's size. Position: xyz in view coordinates, w is
- * VTK_SOFT_SHADOW_RECEIVES, VTK_SOFT_SHADOW_SURFACE (receives nothing), or anything else where there
- * is no surface. Normal: xyz is the unit normal of the visible triangle's plane, towards the camera.
+ * VTK_SOFT_SHADOW_RECEIVES, VTK_SOFT_SHADOW_SURFACE (receives nothing), or anything else where
+ * there is no surface. Normal: xyz is the unit normal of the visible triangle's plane, towards the
+ * camera.
  */
 
 #ifndef vtkShadowReceivers_h

@@ -61,6 +61,8 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
   /// Which of the lit lights, in the renderer's order, and which of its emitters (faces x parts).
   int Light = 0;
   int Part = 0;
+  /// Which axis of the cube a face of an omni light looks along; -1 for other lights.
+  int FaceAxis = -1;
   /// The emitter; Weight is what its visibility is multiplied by.
   vtkShadowEmitter Emitter;
   /// If the technique wants a map from the emitter's centre: the maps, and the layer to look at.
@@ -117,6 +119,15 @@ public:
 
   ///@{
   /**
+   * Memory for depth maps that one light may hold at a time, in MiB, in [1, 65536]. Lights with
+   * more maps than fit draw them in batches, every frame anew. Default is 1024.
+   */
+  vtkSetClampMacro(MapMemory, int, 1, 65536);
+  vtkGetMacro(MapMemory, int);
+  ///@}
+
+  ///@{
+  /**
    * The visibility of a light in the last frame: float, one component, the size of the viewport,
    * bottom row first. NaN where there is no surface, where the surface receives no shadow or is
    * unlit, and outside the light's cone or behind it. Null if the light was not lit. Waits for the
@@ -159,10 +170,11 @@ protected:
   ~vtkSoftShadowPass() override;
 
   /**
-   * Adds Emitter.Weight times the emitter's visibility to the bound framebuffer for every pixel that
-   * is neither proved nor out of the light's reach. Framebuffer, viewport, additive blending and the
-   * depth test that keeps other pixels untouched are set up and must be the same after the call; a
-   * technique draws with vtkShadowShader::Draw (depth 0.5), writing the product to gl_FragData[0].
+   * Adds Emitter.Weight times the emitter's visibility to the bound framebuffer for every pixel
+   * that is neither proved nor out of the light's reach. Framebuffer, viewport, additive blending
+   * and the depth test that keeps other pixels untouched are set up and must be the same after the
+   * call; a technique draws with vtkShadowShader::Draw (depth 0.5), writing the product to
+   * gl_FragData[0].
    */
   virtual void AddVisibility(const vtkSoftShadowContext& context) = 0;
 
@@ -184,6 +196,16 @@ protected:
   };
   virtual int GetProof() const { return PROVES_LIT_AND_BLOCKED; }
 
+  /// Whether the emitter is weighted by N(0, 0.5) over its window; the parts' weights follow.
+  virtual bool HasGaussianWeights() const { return false; }
+
+  ///@{
+  /// What a technique holds and did beyond the base class, for the statistics.
+  virtual vtkTypeInt64 GetTechniqueBytes() { return 0; }
+  virtual vtkTypeInt64 GetTechniqueDrawCalls() { return 0; }
+  virtual int GetTechniqueShaderBuilds() { return 0; }
+  ///@}
+
   /**
    * Sets the uniforms of the snippets vtkShadowReceiver and vtkShadowLight and binds the receivers.
    * Needs DeactivateReceivers.
@@ -201,13 +223,20 @@ protected:
   /// Draws the technique's shader and counts the pixels that it filters.
   void DrawFiltered(vtkShadowShader& shader);
 
-  /// For counts that techniques add to: allocations, maps, shader builds.
+  /// How many maps of MapSize fit MapMemory, at least 1.
+  size_t GetMapsPerBatch() const;
+
+  /// Adds to the counts of maps and texels.
+  void CountBakes(int maps);
+
+  /// For counts that techniques add to.
   vtkSoftShadowStatistics& ChangeStatistics();
 
   vtkRenderPass* DelegatePass = nullptr;
   int MapSize = 2048;
   int Split = 1;
   bool EarlyOut = true;
+  int MapMemory = 1024;
 
 private:
   vtkSoftShadowPass(const vtkSoftShadowPass&) = delete;
@@ -215,6 +244,21 @@ private:
 
   class Internals;
   std::unique_ptr<Internals> Impl;
+
+  void CollectLights(const vtkRenderState* s);
+  void MarkProps(const vtkRenderState* s);
+  void UnmarkProps(const vtkRenderState* s);
+  void DrawOpaque(const vtkRenderState* s);
+  void UpdateVisibility(const vtkRenderState* s);
+  bool SignatureChanged(const vtkRenderState* s);
+  void BakeMaps(const vtkRenderState* s);
+  void DrawReceivers(const vtkRenderState* s);
+  void Shade(const vtkRenderState* s);
+
+  void EstimateLights(const vtkRenderState* s);
+  void EstimateLight(vtkSoftShadowContext& context, int layer);
+  void EstimatePart(vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex);
+  void DrawMarks(const vtkSoftShadowContext& context, const vtkShadowMapView* view);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -1,0 +1,75 @@
+// Proofs from the pyramid of depths: every tap of a kernel is blocked, or none is.
+
+uniform sampler2DArray depthPyramid; // (minimum, maximum) of d; texels of level k span 2^(k+1) map texels
+
+struct DepthRange
+{
+  bool anyBlocker;  // some texel may block
+  bool allBlockers; // every texel blocks
+  float nearest;    // the least depth met
+};
+
+// Compares the receiver's plane with all map texels in the rectangle center +- halfWidth.
+DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
+{
+  // Half a texel more on each side: a tap reads the texel that it lies in.
+  vec2 low = point.std.xy - halfWidth;
+  vec2 high = point.std.xy + halfWidth;
+  DepthRange range = DepthRange(false, all(greaterThan(low, vec2(0.0))) && all(lessThan(high, vec2(1.0))), 1.0);
+  if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, vec2(1.0))))
+  {
+    return range;
+  }
+  // The finest level on which the rectangle touches at most 4 texels along each axis.
+  vec2 extent = (high - low) * depthMapSize;
+  int level = int(max(ceil(log2(max(max(extent.x, extent.y), 1.0) / 3.0)) - 1.0, 0.0));
+  vec2 size = vec2(textureSize(depthPyramid, 0).xy);
+  level = min(level, int(log2(size.x)));
+  ivec2 levelSize = textureSize(depthPyramid, level).xy;
+  float span = float(2 << level) / depthMapSize; // edge of a pyramid texel in (s, t)
+  ivec2 first = clamp(ivec2(floor(low / span)), ivec2(0), levelSize - 1);
+  ivec2 last = clamp(ivec2(floor(high / span)), ivec2(0), levelSize - 1);
+  float texel = 0.5 / depthMapSize;
+  for (int y = first.y; y <= last.y; ++y)
+  {
+    for (int x = first.x; x <= last.x; ++x)
+    {
+      vec2 depths = texelFetch(depthPyramid, ivec3(x, y, int(layer)), level).rg;
+      // The plane over the part of the texel that the rectangle covers.
+      vec2 from = max(vec2(x, y) * span, low) - texel;
+      vec2 to = min(vec2(x + 1, y + 1) * span, high) + texel;
+      float middle = receiverDepth(point, 0.5 * (from + to));
+      float reach = dot(abs(point.gradient), 0.5 * (to - from));
+      range.anyBlocker = range.anyBlocker || depths.x < middle + reach;
+      range.allBlockers = range.allBlockers && depths.y < middle - reach;
+      range.nearest = min(range.nearest, depths.x);
+    }
+  }
+  return range;
+}
+
+// 1: lit, 0: blocked, -1: neither is proved.
+//
+// A blocker at depth d_o matters within kernelScale (d_q - d_o) of the receiver; none lies in front
+// of the near plane, nor, after the first look, in front of the nearest depth that was met.
+float proveVisibility(MapPoint point, vec2 kernelScale, float layer)
+{
+  vec2 widest = kernelScale * max(point.std.z, 0.0);
+  DepthRange range = searchPyramid(point, widest, layer);
+  if (!range.anyBlocker)
+  {
+    return 1.0;
+  }
+  if (range.allBlockers)
+  {
+    return 0.0;
+  }
+  vec2 width = kernelScale * max(point.std.z - range.nearest, 0.0);
+  DepthRange inner = searchPyramid(point, width, layer);
+  if (!inner.anyBlocker)
+  {
+    return 1.0;
+  }
+  // A kernel much smaller than the search could slip between the search's taps.
+  return inner.allBlockers && all(greaterThanEqual(width, widest / 7.0)) ? 0.0 : -1.0;
+}

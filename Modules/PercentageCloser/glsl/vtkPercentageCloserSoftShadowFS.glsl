@@ -1,0 +1,71 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+
+// Percentage-closer soft shadows (Fernando 2005): blocker search, penumbra estimate, variable filter.
+
+//SoftShadows::Include vtkShadowReceiver
+//SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowKernel
+//SoftShadows::Include vtkShadowBlocker
+
+uniform mat4 viewToMap;
+uniform vec2 kernelScale;
+uniform float mapLayer;
+uniform int searchWidth; // taps along an edge
+uniform int filterWidth;
+uniform float weight;
+
+// The mean linear depth of the taps that block, as a map depth; negative if none does.
+float searchBlockers(MapPoint point, vec2 halfWidth)
+{
+  float sum = 0.0;
+  float total = 0.0;
+  for (int y = 0; y < searchWidth; ++y)
+  {
+    for (int x = 0; x < searchWidth; ++x)
+    {
+      vec2 tap = vec2(tapCoordinate(x, searchWidth), tapCoordinate(y, searchWidth));
+      vec2 st = point.std.xy + tap * halfWidth;
+      float depth = mapDepth(st, mapLayer);
+      if (depth < receiverDepth(point, st))
+      {
+        float tapShare = tapWeight(tap);
+        sum += tapShare * linearDepth(depth);
+        total += tapShare;
+      }
+    }
+  }
+  return total > 0.0 ? mapDepthOfLinear(sum / total) : -1.0;
+}
+
+float filterVisibility(MapPoint point, vec2 halfWidth)
+{
+  float lit = 0.0;
+  float total = 0.0;
+  for (int y = 0; y < filterWidth; ++y)
+  {
+    for (int x = 0; x < filterWidth; ++x)
+    {
+      vec2 tap = vec2(tapCoordinate(x, filterWidth), tapCoordinate(y, filterWidth));
+      float tapShare = tapWeight(tap);
+      lit += isBlocked(point, point.std.xy + tap * halfWidth, mapLayer) ? 0.0 : tapShare;
+      total += tapShare;
+    }
+  }
+  return lit / total;
+}
+
+void main()
+{
+  Receiver receiver;
+  loadReceiver(ivec2(gl_FragCoord.xy), receiver);
+  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  // Everything in front of the near plane, d = 0, is empty: the search is as wide as the light there.
+  float blocker = searchBlockers(point, kernelScale * max(point.std.z, 0.0));
+  float visibility = 1.0;
+  if (blocker >= 0.0)
+  {
+    visibility = filterVisibility(point, kernelScale * max(point.std.z - blocker, 0.0));
+  }
+  gl_FragData[0] = vec4(weight * visibility);
+}

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPercentageCloserSoftShadowPass.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowDepthMaps.h"
+#include "vtkShadowReceivers.h"
+#include "vtkShadowTextureArray.h"
+
+#include "vtkPercentageCloserSoftShadowFS.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkPercentageCloserSoftShadowPass);
+
+//------------------------------------------------------------------------------
+vtkPercentageCloserSoftShadowPass::vtkPercentageCloserSoftShadowPass()
+  : Shader(vtkPercentageCloserSoftShadowFS)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkPercentageCloserSoftShadowPass::~vtkPercentageCloserSoftShadowPass() = default;
+
+//------------------------------------------------------------------------------
+bool vtkPercentageCloserSoftShadowPass::HasGaussianWeights() const
+{
+  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
+}
+
+//------------------------------------------------------------------------------
+void vtkPercentageCloserSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
+{
+  if (!this->Shader.Use(context.Window))
+  {
+    return;
+  }
+  vtkShaderProgram* program = this->Shader.GetProgram();
+  this->SetReceiverUniforms(program, context);
+  this->SetMapUniforms(
+    program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
+  vtkShadowTextureArray* texture = context.Maps->GetTexture();
+  program->SetUniformi("depthMaps", texture->Activate());
+  program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
+  program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
+  // All taps of a light without extent are the same one.
+  const bool hasExtent = context.Emitter.HasExtent();
+  program->SetUniformi("searchWidth", hasExtent ? this->SearchWidth : 1);
+  program->SetUniformi("filterWidth", hasExtent ? this->FilterWidth : 1);
+  program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
+  this->DrawFiltered(this->Shader);
+  texture->Deactivate();
+  context.Receivers->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+int vtkPercentageCloserSoftShadowPass::GetTechniqueShaderBuilds()
+{
+  return this->Shader.GetNumberOfBuilds();
+}
+
+//------------------------------------------------------------------------------
+void vtkPercentageCloserSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Shader.ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkPercentageCloserSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SearchWidth: " << this->SearchWidth << "\n";
+  os << indent << "FilterWidth: " << this->FilterWidth << "\n";
+  os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSampledSoftShadowPass
+ * @brief   Soft shadows as the mean of hard shadows from points of the light.
+ *
+ * Every point of the light has a depth map of its own; the visibility is the weighted mean of the
+ * points that a receiver sees. It converges to the truth with the number of points, whatever the
+ * scene, and is the reference on the GPU: the other techniques are measured against it and against
+ * ray tracing. Its price is the maps. One point is the hard shadow.
+ *
+ * The error of n points is about the banding of n steps: with a grid, 1 / sqrt(n) per edge that is
+ * parallel to the grid, 1 / n for others; what remains at many points is the maps' resolution.
+ */
+
+#ifndef vtkSampledSoftShadowPass_h
+#define vtkSampledSoftShadowPass_h
+
+#include "vtkRenderingSoftShadowsSampledModule.h" // For export macro
+#include "vtkShadowLightSampling.h"               // For patterns
+#include "vtkSoftShadowPass.h"
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <memory> // For the implementation
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKRENDERINGSOFTSHADOWSSAMPLED_EXPORT vtkSampledSoftShadowPass : public vtkSoftShadowPass
+{
+public:
+  static vtkSampledSoftShadowPass* New();
+  vtkTypeMacro(vtkSampledSoftShadowPass, vtkSoftShadowPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Points of the light, each with a depth map, in [1, 4096]. Maps beyond MapMemory are baked anew
+   * in every frame. Default is 16.
+   */
+  vtkSetClampMacro(NumberOfSamples, int, 1, 4096);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * How the points are spread; see vtkShadowLightSampling::PatternType. Default is GRID.
+   */
+  vtkSetClampMacro(Pattern, int, vtkShadowLightSampling::GRID, vtkShadowLightSampling::HAMMERSLEY);
+  vtkGetMacro(Pattern, int);
+  void SetPatternToGrid() { this->SetPattern(vtkShadowLightSampling::GRID); }
+  void SetPatternToStratified() { this->SetPattern(vtkShadowLightSampling::STRATIFIED); }
+  void SetPatternToHammersley() { this->SetPattern(vtkShadowLightSampling::HAMMERSLEY); }
+  ///@}
+
+  ///@{
+  /**
+   * Weights of the points: uniform, or N(0, 0.5) over the light's window [-1, 1]^2. Default is
+   * MEAN.
+   */
+  vtkSetClampMacro(Weights, int, vtkShadowLightSampling::MEAN, vtkShadowLightSampling::GAUSSIAN);
+  vtkGetMacro(Weights, int);
+  void SetWeightsToMean() { this->SetWeights(vtkShadowLightSampling::MEAN); }
+  void SetWeightsToGaussian() { this->SetWeights(vtkShadowLightSampling::GAUSSIAN); }
+  ///@}
+
+  ///@{
+  /**
+   * Edge in texels of a percentage-closer filter over each map, in [1, 15]. It hides the texels of
+   * hard shadows and blurs by its width. Default is 1, none.
+   */
+  vtkSetClampMacro(FilterSize, int, 1, 15);
+  vtkGetMacro(FilterSize, int);
+  ///@}
+
+protected:
+  vtkSampledSoftShadowPass();
+  ~vtkSampledSoftShadowPass() override;
+
+  void AddVisibility(const vtkSoftShadowContext& context) override;
+  bool NeedsEmitterMap() const override { return false; }
+  int GetProof() const override;
+  bool HasGaussianWeights() const override;
+  vtkTypeInt64 GetTechniqueBytes() override;
+  vtkTypeInt64 GetTechniqueDrawCalls() override;
+  int GetTechniqueShaderBuilds() override;
+
+  int NumberOfSamples = 16;
+  int Pattern = vtkShadowLightSampling::GRID;
+  int Weights = vtkShadowLightSampling::MEAN;
+  int FilterSize = 1;
+
+private:
+  vtkSampledSoftShadowPass(const vtkSampledSoftShadowPass&) = delete;
+  void operator=(const vtkSampledSoftShadowPass&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

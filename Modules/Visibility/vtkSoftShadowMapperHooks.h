@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSoftShadowMapperHooks
+ * @brief   What the pass changes in the mappers' programs, and the uniforms it sets in them.
+ *
+ * One program serves both stages, so that no program is rebuilt from frame to frame; the uniform
+ * softShadowStage chooses between writing receivers and shading.
+ *
+ *  mark                     must be there              becomes
+ *  //VTK::Light::Dec        always                     declarations, then the mark
+ *  //VTK::Light::Impl       always                     own marks Receive and Shade, then the mark
+ *  //VTK::Picking::Impl     with textures              the mark, then own mark Receive
+ *  own mark Receive         vertexVC (lit surfaces)    writes position and plane
+ *  own mark Shade           uniform lightColor<i>      multiplies the light's colour
+ */
+
+#ifndef vtkSoftShadowMapperHooks_h
+#define vtkSoftShadowMapperHooks_h
+
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <string> // For sources
+#include <vector> // For layers
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkProp;
+class vtkShaderProgram;
+
+class vtkSoftShadowMapperHooks
+{
+public:
+  ///@{
+  /// Frame-wide values of the uniforms.
+  int Stage = 0;
+  int Origin[2] = { 0, 0 };
+  int VisibilityUnit = 0;
+  std::vector<int> Layers; // per lit light, in the renderer's order
+  ///@}
+
+  void PreReplace(std::string& fragmentShader, vtkProp* prop) const;
+  static void PostReplace(std::string& fragmentShader);
+  void SetUniforms(vtkShaderProgram* program, vtkProp* prop) const;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,368 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSoftShadowPass.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkShadowDepthMaps.h"
+#include "vtkShadowMapFitter.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowPassInternals.h"
+#include "vtkSoftShadowsOpenGL.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+vtkOpenGLRenderWindow* GetWindow(const vtkRenderState* s)
+{
+  return static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+}
+
+// All state that steps 2 to 4 change.
+struct ScopedState
+{
+  explicit ScopedState(vtkOpenGLState* state)
+    : Viewport(state)
+    , Scissor(state)
+    , ClearColor(state)
+    , ColorMask(state)
+    , DepthMask(state)
+    , DepthFunction(state)
+    , BlendFunction(state)
+    , ActiveTexture(state)
+    , Blend(state, GL_BLEND)
+    , DepthTest(state, GL_DEPTH_TEST)
+    , CullFace(state, GL_CULL_FACE)
+    , ScissorTest(state, GL_SCISSOR_TEST)
+  {
+  }
+
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglScissor Scissor;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunction;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
+  vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+};
+
+} // namespace
+
+vtkCxxSetObjectMacro(vtkSoftShadowPass, DelegatePass, vtkRenderPass);
+
+//------------------------------------------------------------------------------
+vtkSoftShadowPass::vtkSoftShadowPass()
+  : Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkSoftShadowPass::~vtkSoftShadowPass()
+{
+  this->SetDelegatePass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  Internals& impl = *this->Impl;
+  vtkOpenGLRenderWindow* window = GetWindow(s);
+  impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, impl.Viewport);
+  this->CollectLights(s);
+
+  // Picking draws ids, not light.
+  const bool shadows =
+    !s->GetRenderer()->GetSelector() && impl.Viewport[2] > 0 && impl.Viewport[3] > 0;
+  if (!shadows)
+  {
+    impl.Hooks.Layers.assign(impl.Lights.size(), -1);
+  }
+  this->MarkProps(s);
+  if (shadows)
+  {
+    ++impl.Statistics.Frames;
+    impl.Timers.BeginFrame();
+    this->UpdateVisibility(s);
+    impl.Timers.BeginStep("shading");
+  }
+  this->Shade(s);
+  impl.Timers.EndFrame();
+  this->UnmarkProps(s);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::CollectLights(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  impl.Lights.clear();
+  impl.Hooks.Layers.clear();
+  vtkLightCollection* lights = s->GetRenderer()->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  int layers = 0;
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (!light->GetSwitch())
+    {
+      continue; // mappers number lit lights only
+    }
+    Internals::LitLight lit;
+    lit.Light = light;
+    lit.Casts = vtkShadowEmitter::FromLight(light, lit.Emitter, lit.Reason);
+    lit.Layer = lit.Casts ? layers++ : -1;
+    impl.Hooks.Layers.push_back(lit.Layer);
+    impl.Lights.push_back(lit);
+  }
+  impl.Statistics.LightsLit = static_cast<int>(impl.Lights.size());
+  impl.Statistics.LightsCasting = layers;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::MarkProps(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  impl.PropsWithoutKeys.clear();
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = s->GetPropArray()[i];
+    if (!prop->GetPropertyKeys())
+    {
+      impl.PropsWithoutKeys.push_back(prop);
+    }
+  }
+  this->PreRender(s);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::UnmarkProps(const vtkRenderState* s)
+{
+  this->PostRender(s);
+  for (vtkProp* prop : this->Impl->PropsWithoutKeys)
+  {
+    prop->SetPropertyKeys(nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::DrawOpaque(const vtkRenderState* s)
+{
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    this->NumberOfRenderedProps += s->GetPropArray()[i]->RenderOpaqueGeometry(s->GetRenderer());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  impl.Timers.BeginStep("casters");
+  impl.Casters->Update(s->GetRenderer());
+  if (!this->SignatureChanged(s))
+  {
+    return;
+  }
+  ScopedState scope(GetWindow(s)->GetState());
+  impl.Timers.BeginStep("maps");
+  this->BakeMaps(s);
+  impl.Timers.BeginStep("receivers");
+  this->DrawReceivers(s);
+  impl.Timers.BeginStep("visibility");
+  this->EstimateLights(s);
+  impl.Signature.Swap(impl.NextSignature);
+  ++impl.Statistics.VisibilityFrames;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::SignatureChanged(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  vtkSoftShadowSignature& next = impl.NextSignature;
+  next.Clear();
+  next.Add(static_cast<vtkTypeUInt64>(reinterpret_cast<vtkTypeUIntPtr>(s->GetRenderer())));
+  next.Add(static_cast<vtkTypeUInt64>(this->GetMTime()));
+  next.Add(static_cast<vtkTypeUInt64>(impl.Casters->GetCastersTime()));
+  next.Add(static_cast<vtkTypeUInt64>(impl.Viewport[2]));
+  next.Add(static_cast<vtkTypeUInt64>(impl.Viewport[3]));
+  next.AddCamera(s->GetRenderer());
+  for (const Internals::LitLight& light : impl.Lights)
+  {
+    next.Add(static_cast<vtkTypeUInt64>(light.Casts));
+    next.AddEmitter(light.Emitter);
+  }
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    next.AddProp(s->GetPropArray()[i]);
+  }
+  return !(impl.Signature == next);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  const vtkShadowMapFitter fitter(impl.Casters->GetBodies());
+  const bool proves = this->EarlyOut && this->GetProof() != PROVES_NOTHING;
+  const bool pyramid = proves || this->NeedsPyramid();
+  const bool faceMaps = pyramid || (this->Split == 1 && this->NeedsEmitterMap());
+  for (const Internals::LitLight& light : impl.Lights)
+  {
+    if (!light.Casts)
+    {
+      continue;
+    }
+    const size_t layer = static_cast<size_t>(light.Layer);
+    if (layer >= impl.Maps.size())
+    {
+      impl.Maps.push_back(std::make_unique<vtkSoftShadowLightMaps>());
+    }
+    vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
+    maps.Fit(light.Emitter, fitter, impl.Casters->GetCastersTime(), this->Split,
+      this->HasGaussianWeights());
+    if (faceMaps)
+    {
+      const int baked = maps.BakeFaces(
+        s->GetRenderer(), impl.Casters, this->MapSize, this->NeedsConservativeMaps(), pyramid);
+      this->CountBakes(baked);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::CountBakes(int maps)
+{
+  this->Impl->Statistics.MapsBaked += maps;
+  this->Impl->Statistics.TexelsDrawn +=
+    static_cast<vtkTypeInt64>(maps) * this->MapSize * this->MapSize;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  if (impl.Receivers->Begin(s->GetRenderer(), impl.Viewport[2], impl.Viewport[3]))
+  {
+    ++impl.Statistics.Allocations;
+  }
+  impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_RECEIVE;
+  // The sampler needs a unit of its own even where it is not read.
+  vtkShadowTextureArray* visibility = impl.Target.GetTexture();
+  const bool hasTexture = visibility->GetHandle() != 0;
+  impl.Hooks.VisibilityUnit = hasTexture ? visibility->Activate() : 0;
+  this->DrawOpaque(s);
+  visibility->Deactivate();
+  impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
+  this->NumberOfRenderedProps = 0;
+  impl.Receivers->End(s->GetRenderer());
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::Shade(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  impl.Hooks.Origin[0] = impl.Viewport[0];
+  impl.Hooks.Origin[1] = impl.Viewport[1];
+  vtkShadowTextureArray* visibility = impl.Target.GetTexture();
+  const bool hasTexture = visibility->GetHandle() != 0;
+  impl.Hooks.VisibilityUnit = hasTexture ? visibility->Activate() : 0;
+  if (this->DelegatePass)
+  {
+    this->DelegatePass->Render(s);
+    this->NumberOfRenderedProps += this->DelegatePass->GetNumberOfRenderedProps();
+  }
+  else
+  {
+    this->DrawOpaque(s);
+  }
+  visibility->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  ++this->Impl->Statistics.MapperShaderBuilds;
+  this->Impl->Hooks.PreReplace(fragmentShader, prop);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  vtkSoftShadowMapperHooks::PostReplace(fragmentShader);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  this->Impl->Hooks.SetUniforms(program, prop);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkSoftShadowStatistics& vtkSoftShadowPass::ChangeStatistics()
+{
+  return this->Impl->Statistics;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  if (this->DelegatePass)
+  {
+    this->DelegatePass->ReleaseGraphicsResources(window);
+  }
+  Internals& impl = *this->Impl;
+  impl.Casters->ReleaseGraphicsResources(window);
+  impl.Receivers->ReleaseGraphicsResources(window);
+  impl.Target.ReleaseGraphicsResources(window);
+  impl.Timers.ReleaseGraphicsResources();
+  impl.ProofShader.ReleaseGraphicsResources(window);
+  impl.ConstantShader.ReleaseGraphicsResources(window);
+  for (const auto& maps : impl.Maps)
+  {
+    maps->ReleaseGraphicsResources(window);
+  }
+  if (!impl.Queries.empty())
+  {
+    glDeleteQueries(static_cast<GLsizei>(impl.Queries.size()), impl.Queries.data());
+    impl.Queries.clear();
+    impl.UsedQueries = 0;
+  }
+  impl.Signature.Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MapSize: " << this->MapSize << "\n";
+  os << indent << "Split: " << this->Split << "\n";
+  os << indent << "EarlyOut: " << (this->EarlyOut ? "on" : "off") << "\n";
+  os << indent << "MapMemory: " << this->MapMemory << " MiB\n";
+  os << indent << "DelegatePass: " << this->DelegatePass << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSoftShadowPass::Internals
+ * @brief   What a soft-shadow pass keeps from frame to frame.
+ */
+
+#ifndef vtkSoftShadowPassInternals_h
+#define vtkSoftShadowPassInternals_h
+
+#include "vtkNew.h" // For members
+#include "vtkShadowCasters.h"
+#include "vtkShadowReceivers.h"
+#include "vtkShadowShader.h"
+#include "vtkSoftShadowLightMaps.h"
+#include "vtkSoftShadowMapperHooks.h"
+#include "vtkSoftShadowPass.h"
+#include "vtkSoftShadowSignature.h"
+#include "vtkSoftShadowTarget.h"
+#include "vtkSoftShadowTimers.h"
+
+#include "vtkSoftShadowConstantFS.h"
+#include "vtkSoftShadowProofFS.h"
+
+#include <memory> // For light maps
+#include <string> // For reasons
+#include <vector> // For lists
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkSoftShadowPass::Internals
+{
+public:
+  /// A lit light of the frame.
+  struct LitLight
+  {
+    vtkLight* Light = nullptr;
+    bool Casts = false;
+    vtkShadowEmitter Emitter;
+    std::string Reason; // why it casts nothing
+    int Layer = -1;
+  };
+
+  vtkNew<vtkShadowCasters> Casters;
+  vtkNew<vtkShadowReceivers> Receivers;
+  vtkSoftShadowTarget Target;
+  vtkSoftShadowMapperHooks Hooks;
+  vtkSoftShadowTimers Timers;
+  vtkSoftShadowStatistics Statistics;
+  vtkSoftShadowSignature Signature;     // of the visibility that is held
+  vtkSoftShadowSignature NextSignature; // of the frame at hand
+  std::vector<LitLight> Lights;
+  std::vector<std::unique_ptr<vtkSoftShadowLightMaps>> Maps; // per casting light
+  std::vector<vtkProp*> PropsWithoutKeys; // whose property keys did not exist before the frame
+
+  vtkShadowShader ProofShader{ vtkSoftShadowProofFS };
+  vtkShadowShader ConstantShader{ vtkSoftShadowConstantFS };
+
+  int Viewport[4] = { 0, 0, 0, 0 };
+
+  /// Occlusion queries of the filtered pixels: one per light and face.
+  std::vector<unsigned int> Queries;
+  size_t UsedQueries = 0;
+  bool CountNextDraw = false;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

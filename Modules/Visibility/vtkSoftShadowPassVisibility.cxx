@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Step 4 of vtkSoftShadowPass: from receivers and maps to visibility, and what techniques use for
+// it.
+#include "vtkSoftShadowPass.h"
+
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowDepthMaps.h"
+#include "vtkShadowDepthPyramid.h"
+#include "vtkShadowMapFitter.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowPassInternals.h"
+#include "vtkSoftShadowsOpenGL.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+// (A B), row-major, as column-major floats.
+void ComposeToFloat(const double* a, const double* b, float matrix[16])
+{
+  double product[16];
+  vtkMatrix4x4::Multiply4x4(a, b, product);
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      matrix[4 * column + row] = static_cast<float>(product[4 * row + column]);
+    }
+  }
+}
+
+// Which axis of the cube the face looks along: Faces() goes through the axes two at a time.
+int FindFaceAxis(const vtkShadowEmitter& face, size_t index)
+{
+  return face.Face ? static_cast<int>(index / 2) : -1;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  if (impl.Statistics.LightsCasting == 0)
+  {
+    return;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+  window->GetState()->PushFramebufferBindings();
+  if (impl.Target.Allocate(
+        window, impl.Viewport[2], impl.Viewport[3], impl.Statistics.LightsCasting))
+  {
+    ++impl.Statistics.Allocations;
+  }
+  const vtkShadowMapFitter fitter(impl.Casters->GetBodies());
+  vtkSoftShadowContext context;
+  context.Renderer = s->GetRenderer();
+  context.Window = window;
+  context.Casters = impl.Casters;
+  context.Fitter = &fitter;
+  context.Receivers = impl.Receivers;
+  impl.UsedQueries = 0;
+  for (size_t i = 0; i < impl.Lights.size() && impl.Target.GetTexture()->GetHandle(); ++i)
+  {
+    if (impl.Lights[i].Casts)
+    {
+      context.Light = static_cast<int>(i);
+      this->EstimateLight(context, impl.Lights[i].Layer);
+    }
+  }
+  window->GetState()->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::EstimateLight(vtkSoftShadowContext& context, int layer)
+{
+  Internals& impl = *this->Impl;
+  vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
+  impl.Target.BeginLight(context.Window, layer);
+  context.Part = 0;
+  for (size_t f = 0; f < maps.GetFaces().size(); ++f)
+  {
+    const vtkSoftShadowLightMaps::Face& face = maps.GetFaces()[f];
+    context.FaceAxis = FindFaceAxis(face.Emitter, f);
+    context.Emitter = face.Emitter;
+    context.Maps = maps.GetFaceMaps();
+    context.Pyramid = maps.GetPyramid();
+    context.Layer = face.Layer;
+    impl.Target.BeginMarks(context.Window);
+    this->DrawMarks(context, face.HasCasters ? &face.View : nullptr);
+    impl.Target.BeginFilter(context.Window);
+    impl.CountNextDraw = true;
+    for (size_t p = 0; p < face.Parts.size(); ++p)
+    {
+      this->EstimatePart(context, layer, f, p);
+      ++context.Part;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::EstimatePart(
+  vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex)
+{
+  Internals& impl = *this->Impl;
+  vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
+  const vtkSoftShadowLightMaps::Face& face = maps.GetFaces()[faceIndex];
+  const vtkSoftShadowLightMaps::Part& part = face.Parts[partIndex];
+  context.Emitter = part.Emitter;
+  if (!part.HasCasters)
+  {
+    if (impl.ConstantShader.Use(context.Window))
+    {
+      impl.ConstantShader.GetProgram()->SetUniformf(
+        "weight", static_cast<float>(part.Emitter.Weight));
+      this->DrawFiltered(impl.ConstantShader);
+    }
+    return;
+  }
+  if (this->NeedsEmitterMap() && face.Parts.size() > 1)
+  {
+    int baked = 0;
+    context.Layer = maps.BakePart(context.Renderer, impl.Casters, faceIndex, partIndex,
+      this->MapSize, this->NeedsConservativeMaps(), this->GetMapsPerBatch(), baked);
+    context.Maps = maps.GetPartMaps();
+    context.Pyramid = nullptr;
+    this->CountBakes(baked);
+  }
+  this->AddVisibility(context);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::DrawMarks(const vtkSoftShadowContext& context, const vtkShadowMapView* view)
+{
+  vtkShadowShader& shader = this->Impl->ProofShader;
+  if (!shader.Use(context.Window))
+  {
+    return;
+  }
+  vtkShaderProgram* program = shader.GetProgram();
+  const int proof = view && this->EarlyOut ? this->GetProof() : static_cast<int>(PROVES_NOTHING);
+  program->SetUniformi("proof", proof);
+  program->SetUniformi("hasCasters", view ? 1 : 0);
+  this->SetReceiverUniforms(program, context);
+  vtkShadowTextureArray* pyramid = context.Pyramid->GetTexture();
+  if (proof != PROVES_NOTHING)
+  {
+    this->SetMapUniforms(program, context, *view, this->MapSize);
+    program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
+    program->SetUniformi("depthPyramid", pyramid->Activate());
+  }
+  shader.Draw();
+  pyramid->Deactivate();
+  context.Receivers->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::SetReceiverUniforms(
+  vtkShaderProgram* program, const vtkSoftShadowContext& context)
+{
+  context.Receivers->Activate(program);
+  if (!program->IsUniformUsed("viewToApex"))
+  {
+    return;
+  }
+  vtkShadowEmitter apex = context.Emitter;
+  apex.Center = apex.Apex;
+  float matrix[16];
+  ComposeToFloat(apex.WorldToEmitter().data(), context.Receivers->GetViewToWorld().data(), matrix);
+  program->SetUniformMatrix4x4("viewToApex", matrix);
+  program->SetUniformi("lightDirectional", apex.Directional ? 1 : 0);
+  program->SetUniformi("lightOneSided", !apex.Directional && apex.HasExtent() ? 1 : 0);
+  program->SetUniformf("lightConeCosine",
+    apex.HasCone() ? static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(apex.ConeAngle)))
+                   : -2.0f);
+  program->SetUniformi("lightFaceAxis", context.FaceAxis);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::ViewToMap(
+  const vtkSoftShadowContext& context, const vtkShadowMapView& view, float matrix[16])
+{
+  ComposeToFloat(view.WorldToMap().data(), context.Receivers->GetViewToWorld().data(), matrix);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::SetMapUniforms(vtkShaderProgram* program,
+  const vtkSoftShadowContext& context, const vtkShadowMapView& view, int mapSize)
+{
+  float matrix[16];
+  vtkSoftShadowPass::ViewToMap(context, view, matrix);
+  program->SetUniformMatrix4x4("viewToMap", matrix);
+  program->SetUniformf("depthMapSize", static_cast<float>(mapSize));
+  const std::array<double, 2> scale = view.GetKernelScale();
+  const float kernelScale[2] = { static_cast<float>(scale[0]), static_cast<float>(scale[1]) };
+  program->SetUniform2f("kernelScale", kernelScale);
+  if (program->IsUniformUsed("depthToLinear"))
+  {
+    const std::array<double, 2> linear = view.GetDepthToLinear();
+    const float depthToLinear[2] = { static_cast<float>(linear[0]), static_cast<float>(linear[1]) };
+    program->SetUniform2f("depthToLinear", depthToLinear);
+    program->SetUniformi("mapDirectional", view.Emitter.Directional ? 1 : 0);
+  }
+  if (program->IsUniformUsed("emitterDisk"))
+  {
+    const vtkShadowEmitter& emitter = view.Emitter;
+    program->SetUniformi("emitterDisk", emitter.Shape == vtkShadowEmitter::DISK ? 1 : 0);
+    const float window[4] = { static_cast<float>(emitter.WindowCenter[0]),
+      static_cast<float>(emitter.WindowCenter[1]), static_cast<float>(emitter.WindowHalfSize[0]),
+      static_cast<float>(emitter.WindowHalfSize[1]) };
+    program->SetUniform4f("emitterWindow", window);
+  }
+}
+
+//------------------------------------------------------------------------------
+size_t vtkSoftShadowPass::GetMapsPerBatch() const
+{
+  const size_t bytes = static_cast<size_t>(this->MapSize) * this->MapSize * 4;
+  return std::max<size_t>((static_cast<size_t>(this->MapMemory) << 20) / bytes, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::DrawFiltered(vtkShadowShader& shader)
+{
+  Internals& impl = *this->Impl;
+  if (!impl.CountNextDraw)
+  {
+    shader.Draw();
+    return;
+  }
+  impl.CountNextDraw = false;
+  if (impl.UsedQueries == impl.Queries.size())
+  {
+    impl.Queries.push_back(0);
+    glGenQueries(1, &impl.Queries.back());
+  }
+  glBeginQuery(GL_SAMPLES_PASSED, impl.Queries[impl.UsedQueries++]);
+  shader.Draw();
+  glEndQuery(GL_SAMPLES_PASSED);
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSoftShadowSignature.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkShadowCasters.h"
+#include "vtkShadowEmitter.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+void vtkSoftShadowSignature::AddCamera(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  this->Add(camera->GetModelViewTransformMatrix()->GetData(), 16);
+  vtkMatrix4x4* projection =
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  this->Add(projection->GetData(), 16);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowSignature::AddProp(vtkProp* prop)
+{
+  this->Add(static_cast<vtkTypeUInt64>(reinterpret_cast<vtkTypeUIntPtr>(prop)));
+  this->Add(static_cast<vtkTypeUInt64>(prop->GetRedrawMTime()));
+  this->Add(static_cast<vtkTypeUInt64>(vtkShadowCasters::GetReceivesShadow(prop)));
+  this->Add(static_cast<vtkTypeUInt64>(prop->GetShaderProperty()->GetMTime()));
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowSignature::AddEmitter(const vtkShadowEmitter& emitter)
+{
+  this->Add(static_cast<vtkTypeUInt64>(emitter.Shape));
+  this->Add(static_cast<vtkTypeUInt64>(emitter.Directional));
+  this->Add(static_cast<vtkTypeUInt64>(emitter.Omni));
+  this->Add(emitter.Center.data(), 3);
+  this->Add(emitter.AxisU.data(), 3);
+  this->Add(emitter.AxisV.data(), 3);
+  this->Add(emitter.Direction.data(), 3);
+  this->Add(emitter.HalfSize.data(), 2);
+  this->Add(emitter.ConeAngle);
+}
+VTK_ABI_NAMESPACE_END

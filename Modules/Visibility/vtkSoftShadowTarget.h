@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSoftShadowTarget
+ * @brief   Where visibility is accumulated: a layer per light, and the depth buffer that marks
+ * pixels.
+ *
+ * Every layer starts at -1, no value. An emitter's pixels are marked in the depth buffer: 1 where a
+ * technique has to add its part, 0 elsewhere. Techniques draw at depth 0.5 with the test LESS,
+ * blending additively.
+ */
+
+#ifndef vtkSoftShadowTarget_h
+#define vtkSoftShadowTarget_h
+
+#include "vtkNew.h"            // For members
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkType.h"           // For vtkTypeInt64
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShadowTextureArray;
+class vtkWindow;
+
+class vtkSoftShadowTarget
+{
+public:
+  vtkSoftShadowTarget();
+  ~vtkSoftShadowTarget();
+  vtkSoftShadowTarget(const vtkSoftShadowTarget&) = delete;
+  vtkSoftShadowTarget& operator=(const vtkSoftShadowTarget&) = delete;
+
+  /// Returns true if something was allocated. The number of layers only grows.
+  bool Allocate(vtkOpenGLRenderWindow* window, int width, int height, int layers);
+
+  /// Binds the framebuffer with a light's layer and clears it to no value.
+  void BeginLight(vtkOpenGLRenderWindow* window, int layer);
+
+  /// Clears the marks and lets them be drawn.
+  void BeginMarks(vtkOpenGLRenderWindow* window);
+
+  /// Lets techniques add to marked pixels.
+  void BeginFilter(vtkOpenGLRenderWindow* window);
+
+  vtkShadowTextureArray* GetTexture() { return this->Texture; }
+  vtkTypeInt64 GetBytes() const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkNew<vtkShadowTextureArray> Texture;
+  unsigned int Framebuffer = 0;
+  unsigned int DepthBuffer = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
