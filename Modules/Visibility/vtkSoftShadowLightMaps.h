@@ -16,6 +16,7 @@
 #include "vtkNew.h"            // For members
 #include "vtkShadowMapView.h"  // For views
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkType.h"           // For times
 
 #include <vector> // For parts
 

@@ -198,7 +198,7 @@ bool vtkSoftShadowPass::SignatureChanged(const vtkRenderState* s)
   Internals& impl = *this->Impl;
   vtkSoftShadowSignature& next = impl.NextSignature;
   next.Clear();
-  next.Add(static_cast<vtkTypeUInt64>(reinterpret_cast<vtkTypeUIntPtr>(s->GetRenderer())));
+  next.Add(static_cast<vtkTypeUInt64>(reinterpret_cast<std::uintptr_t>(s->GetRenderer())));
   next.Add(static_cast<vtkTypeUInt64>(this->GetMTime()));
   next.Add(static_cast<vtkTypeUInt64>(impl.Casters->GetCastersTime()));
   next.Add(static_cast<vtkTypeUInt64>(impl.Viewport[2]));

@@ -24,7 +24,7 @@ void vtkSoftShadowSignature::AddCamera(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void vtkSoftShadowSignature::AddProp(vtkProp* prop)
 {
-  this->Add(static_cast<vtkTypeUInt64>(reinterpret_cast<vtkTypeUIntPtr>(prop)));
+  this->Add(static_cast<vtkTypeUInt64>(reinterpret_cast<std::uintptr_t>(prop)));
   this->Add(static_cast<vtkTypeUInt64>(prop->GetRedrawMTime()));
   this->Add(static_cast<vtkTypeUInt64>(vtkShadowCasters::GetReceivesShadow(prop)));
   this->Add(static_cast<vtkTypeUInt64>(prop->GetShaderProperty()->GetMTime()));

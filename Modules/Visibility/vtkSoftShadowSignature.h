@@ -11,6 +11,7 @@
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 #include "vtkType.h"           // For times
 
+#include <cstdint> // For addresses
 #include <cstring> // For doubles
 #include <vector>  // For words
 
