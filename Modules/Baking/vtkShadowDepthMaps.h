@@ -85,6 +85,9 @@ protected:
 private:
   vtkShadowDepthMaps(const vtkShadowDepthMaps&) = delete;
   void operator=(const vtkShadowDepthMaps&) = delete;
+
+  int BakeLayers(
+    vtkRenderer* renderer, vtkShadowCasters* casters, const std::vector<vtkShadowMapView>& views);
 };
 
 VTK_ABI_NAMESPACE_END

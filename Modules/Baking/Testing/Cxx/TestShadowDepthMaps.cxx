@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BakingScene.h"
+
+#include "vtkCubeSource.h"
+#include "vtkImageData.h"
+#include "vtkPlaneSource.h"
+#include "vtkSphereSource.h"
+#include "vtkTransform.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+// A box over a plane in local coordinates, seen from above; the closed form of every texel's depth.
+struct Placing
+{
+  const char* Name;
+  bool Directional;
+  double Scale;
+  double Shift;
+};
+
+class BoxOverPlane : public testing::TestWithParam<Placing>
+{
+};
+
+constexpr double LIGHT_HEIGHT = 4.0;
+constexpr double BOX_TOP = 1.5;
+constexpr double BOX_BOTTOM = 1.0;
+constexpr int RESOLUTION = 64;
+
+// The distance from the light's plane to what the light sees along (u, v).
+double ExpectedDistance(double u, double v, bool directional)
+{
+  const double toTop = LIGHT_HEIGHT - BOX_TOP;
+  const double x = directional ? u : u * toTop;
+  const double y = directional ? v : v * toTop;
+  return std::abs(x) < 0.5 && std::abs(y) < 0.25 ? toTop : LIGHT_HEIGHT;
+}
+
+// Texels whose square the box's edge crosses have no single answer.
+bool IsNearEdge(double u, double v, double texel, bool directional)
+{
+  const double toTop = LIGHT_HEIGHT - BOX_TOP;
+  const double size = directional ? texel : texel * toTop;
+  const double x = std::abs(directional ? u : u * toTop);
+  const double y = std::abs(directional ? v : v * toTop);
+  return (std::abs(x - 0.5) < size && y < 0.25 + size) ||
+    (std::abs(y - 0.25) < size && x < 0.5 + size);
+}
+}
+
+//------------------------------------------------------------------------------
+TEST_P(BoxOverPlane, HasTheDepthOfItsClosedForm)
+{
+  const Placing placing = GetParam();
+  BakingScene scene;
+  vtkNew<vtkCubeSource> box;
+  box->SetBounds(-0.5, 0.5, -0.25, 0.25, BOX_BOTTOM, BOX_TOP);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-9.0, -9.0, 0.0);
+  plane->SetPoint1(9.0, -9.0, 0.0);
+  plane->SetPoint2(-9.0, 9.0, 0.0);
+  vtkNew<vtkTransform> place;
+  place->Translate(placing.Shift, -placing.Shift, placing.Shift);
+  place->Scale(placing.Scale, placing.Scale, placing.Scale);
+  scene.AddActor(box)->SetUserTransform(place);
+  scene.AddActor(plane)->SetUserTransform(place);
+
+  vtkShadowMapView view;
+  view.Emitter = MakeDownwardEmitter(placing.Shift, -placing.Shift,
+    placing.Shift + LIGHT_HEIGHT * placing.Scale, placing.Directional);
+  const double unit = placing.Directional ? placing.Scale : 1.0;
+  view.Window = { { -0.3 * unit, 0.7 * unit, -0.5 * unit, 0.5 * unit } };
+  view.Near = 1.0 * placing.Scale;
+  view.Far = 5.0 * placing.Scale;
+
+  scene.Bake({ view }, RESOLUTION);
+  const auto image = scene.Maps->ReadDepth(0);
+  const double texel = 1.0 / RESOLUTION;
+  int compared = 0;
+  int boxes = 0;
+  for (int j = 0; j < RESOLUTION; ++j)
+  {
+    for (int i = 0; i < RESOLUTION; ++i)
+    {
+      const double u = (image->GetOrigin()[0] + i * image->GetSpacing()[0]) / unit;
+      const double v = (image->GetOrigin()[1] + j * image->GetSpacing()[1]) / unit;
+      if (IsNearEdge(u, v, texel, placing.Directional))
+      {
+        continue;
+      }
+      const double expected = ExpectedDistance(u, v, placing.Directional);
+      const double found = image->GetScalarComponentAsDouble(i, j, 0, 0) / placing.Scale;
+      ASSERT_NEAR(found, expected, 2e-5) << "texel " << i << ", " << j;
+      ++compared;
+      boxes += expected < LIGHT_HEIGHT ? 1 : 0;
+    }
+  }
+  EXPECT_GT(compared, RESOLUTION * RESOLUTION / 2);
+  EXPECT_GT(boxes, RESOLUTION * RESOLUTION / 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(ShadowDepthMaps, BoxOverPlane,
+  testing::Values(Placing{ "Perspective", false, 1.0, 0.0 }, Placing{ "Parallel", true, 1.0, 0.0 },
+    Placing{ "PerspectiveFarAway", false, 1.0, 1e7 }, Placing{ "ParallelFarAway", true, 1.0, 1e7 },
+    Placing{ "PerspectiveTiny", false, 1e-4, 0.0 }, Placing{ "ParallelTiny", true, 1e-4, 0.0 },
+    Placing{ "PerspectiveLarge", false, 1e6, 0.0 }),
+  [](const testing::TestParamInfo<Placing>& test) { return std::string(test.param.Name); });
+
+//------------------------------------------------------------------------------
+TEST(ShadowDepthMaps, SphereHasTheDepthOfItsClosedForm)
+{
+  BakingScene scene;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(200);
+  scene.AddActor(sphere);
+  vtkShadowMapView view;
+  view.Emitter = MakeDownwardEmitter(0.0, 0.0, 5.0, true);
+  view.Window = { { -1.5, 1.5, -1.5, 1.5 } };
+  view.Near = 3.0;
+  view.Far = 7.0;
+  scene.Bake({ view }, 64);
+  const auto image = scene.Maps->ReadDepth(0);
+  for (int j = 0; j < 64; ++j)
+  {
+    for (int i = 0; i < 64; ++i)
+    {
+      const double x = image->GetOrigin()[0] + i * image->GetSpacing()[0];
+      const double y = image->GetOrigin()[1] + j * image->GetSpacing()[1];
+      const double r2 = x * x + y * y;
+      const double found = image->GetScalarComponentAsDouble(i, j, 0, 0);
+      if (r2 < 0.8)
+      {
+        // The mesh lies within the sphere, no deeper than its sagitta.
+        EXPECT_NEAR(found, 5.0 - std::sqrt(1.0 - r2), 1e-3);
+      }
+      else if (r2 > 1.0)
+      {
+        EXPECT_TRUE(std::isinf(found));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowDepthMaps, BakesOnlyWhatIsNew)
+{
+  BakingScene scene;
+  vtkNew<vtkCubeSource> box;
+  auto actor = scene.AddActor(box);
+  vtkShadowMapView view;
+  view.Emitter = MakeDownwardEmitter(0.0, 0.0, 5.0, false);
+  view.Near = 3.0;
+  view.Far = 7.0;
+  vtkShadowMapView other = view;
+  other.Emitter.Center[0] = 0.5;
+
+  EXPECT_EQ(scene.Bake({ view, other }, 32), 2);
+  const auto time = scene.Maps->GetBakeTime();
+  EXPECT_EQ(scene.Bake({ view, other }, 32), 0);
+  EXPECT_EQ(scene.Maps->GetBakeTime(), time);
+  other.Emitter.Center[0] = 0.75;
+  EXPECT_EQ(scene.Bake({ view, other }, 32), 1) << "one view moved";
+  EXPECT_GT(scene.Maps->GetBakeTime(), time);
+  EXPECT_EQ(scene.Bake({ view }, 32), 0) << "fewer views";
+  EXPECT_EQ(scene.Bake({ view }, 64), 1) << "another resolution";
+  EXPECT_EQ(scene.Bake({ view }, 64, true), 1) << "conservative now";
+  actor->SetPosition(0.1, 0.0, 0.0);
+  EXPECT_EQ(scene.Bake({ view }, 64, true), 1) << "a caster moved";
+  EXPECT_EQ(scene.Maps->GetNumberOfBakes(), 6);
+}

@@ -1,0 +1,91 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Conservative rasterisation: every texel that a triangle touches gets a fragment.
+//
+// A texel (a square) and a triangle are apart exactly if one of the square's axes or one of the
+// triangle's edge normals separates them. The rectangle drawn here, the triangle's bounding box grown
+// by half a texel, does the first two tests; the fragment shader does the others, with the edges as
+// half planes grown by half a texel. The idea of growing edges: Hasselgren, Akenine-Moller, Ohlsson,
+// "Conservative Rasterization", GPU Gems 2, 2005.
+//
+// A triangle that reaches behind the light is cut at w = leastW first, which can give it a fourth
+// corner.
+
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 4) out;
+
+uniform float halfTexel; // in normalised device coordinates, grown a little against rounding
+uniform float leastW;    // of a visible point; w is the distance along the light's direction, or 1
+
+flat out vec4 edgesX;    // outward normals of the four edges ...
+flat out vec4 edgesY;
+flat out vec4 edgesC;    // ... with edgesX x + edgesY y + edgesC <= 0 inside the grown edge
+flat out vec3 depthPlane; // depth in [0, 1] = dot(depthPlane, (x, y, 1))
+flat out float leastDepth;
+out vec2 place;
+
+void main()
+{
+  // Cut at w = leastW.
+  vec3 corners[4];
+  int count = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    vec4 a = gl_in[i].gl_Position;
+    vec4 b = gl_in[(i + 1) % 3].gl_Position;
+    if (a.w >= leastW && count < 4)
+    {
+      corners[count++] = a.xyz / a.w;
+    }
+    if ((a.w >= leastW) != (b.w >= leastW) && count < 4)
+    {
+      vec4 cut = mix(a, b, (leastW - a.w) / (b.w - a.w));
+      corners[count++] = cut.xyz / leastW;
+    }
+  }
+  if (count < 3)
+  {
+    return;
+  }
+  if (count == 3)
+  {
+    corners[3] = corners[2];
+  }
+
+  vec3 low = min(min(corners[0], corners[1]), min(corners[2], corners[3]));
+  vec3 high = max(max(corners[0], corners[1]), max(corners[2], corners[3]));
+  leastDepth = 0.5 * low.z + 0.5;
+
+  // The plane of the triangle. Seen edge-on it has no depth to interpolate: the least one holds.
+  vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]) +
+    cross(corners[2] - corners[0], corners[3] - corners[0]);
+  vec2 gradient = abs(normal.z) > 1e-12 ? -normal.xy / normal.z : vec2(0.0);
+  float depth0 = abs(normal.z) > 1e-12
+    ? corners[0].z - dot(gradient, corners[0].xy)
+    : low.z;
+  // Lowered to the least depth within a texel around its centre.
+  depth0 -= halfTexel * (abs(gradient.x) + abs(gradient.y));
+  depthPlane = 0.5 * vec3(gradient, depth0) + vec3(0.0, 0.0, 0.5);
+
+  float turn = normal.z < 0.0 ? -1.0 : 1.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    vec2 a = corners[i].xy;
+    vec2 along = turn * (corners[(i + 1) % 4].xy - a);
+    vec2 outward = vec2(along.y, -along.x);
+    edgesX[i] = outward.x;
+    edgesY[i] = outward.y;
+    edgesC[i] = -dot(outward, a) - halfTexel * (abs(outward.x) + abs(outward.y));
+  }
+
+  vec2 from = clamp(low.xy - halfTexel, vec2(-1.0), vec2(1.0));
+  vec2 to = clamp(high.xy + halfTexel, vec2(-1.0), vec2(1.0));
+  for (int i = 0; i < 4; ++i)
+  {
+    place = vec2((i & 1) == 0 ? from.x : to.x, (i & 2) == 0 ? from.y : to.y);
+    gl_Position = vec4(place, 0.0, 1.0);
+    EmitVertex();
+  }
+  EndPrimitive();
+}

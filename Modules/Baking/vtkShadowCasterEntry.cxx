@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowCasterEntry.h"
+
+#include "vtkActor.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkProp3D.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+std::array<double, 3> TransformPoint(const std::array<double, 16>& m, const double p[3])
+{
+  std::array<double, 3> q;
+  for (int i = 0; i < 3; ++i)
+  {
+    q[i] = m[4 * i] * p[0] + m[4 * i + 1] * p[1] + m[4 * i + 2] * p[2] + m[4 * i + 3];
+  }
+  return q;
+}
+
+// The box of a transformed box.
+std::array<double, 6> TransformBounds(const std::array<double, 16>& m, const double bounds[6])
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 6> box{ { infinity, -infinity, infinity, -infinity, infinity, -infinity } };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double p[3] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+      bounds[4 + ((corner >> 2) & 1)] };
+    const auto q = TransformPoint(m, p);
+    for (int i = 0; i < 3; ++i)
+    {
+      box[2 * i] = std::min(box[2 * i], q[i]);
+      box[2 * i + 1] = std::max(box[2 * i + 1], q[i]);
+    }
+  }
+  return box;
+}
+
+bool IsFinite(const double* values, int count)
+{
+  return std::all_of(values, values + count, [](double v) { return std::isfinite(v); });
+}
+}
+
+//------------------------------------------------------------------------------
+vtkShadowCasterEntry::Change vtkShadowCasterEntry::Refresh(const vtkShadowCasterSource& source,
+  const std::array<double, 16>& matrix, bool casts, bool receives)
+{
+  Change change;
+  if (this->Signature != source.Signature || this->Route != source.Route)
+  {
+    this->Signature = source.Signature;
+    // A prop drawn by its mapper may look different although its box stays.
+    change.Casters = this->Body.Casts &&
+      (this->Route != source.Route || source.Route == vtkShadowCasterSource::MAPPER);
+    this->Route = source.Route;
+    this->Reshaped = true;
+    this->Moved = true;
+    this->Geometry.Clear();
+    if (source.IsHull)
+    {
+      this->Geometry.Build(source.Pieces);
+    }
+  }
+  if (this->Matrix != matrix)
+  {
+    this->Matrix = matrix;
+    this->Moved = true;
+    change.Casters =
+      change.Casters || (this->Body.Casts && this->Route == vtkShadowCasterSource::MAPPER);
+  }
+  if (this->Body.Casts != casts || this->Body.Receives != receives)
+  {
+    change.Bodies = true;
+    change.Casters = change.Casters || this->Body.Casts != casts;
+    this->Moved = this->Moved || this->Body.Casts != casts;
+    this->Body.Casts = casts;
+    this->Body.Receives = receives;
+  }
+  return change;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterEntry::ForgetRange()
+{
+  this->Range = vtkShadowCasterBuffer::Range();
+  this->Reshaped = true;
+  this->Moved = true;
+}
+
+//------------------------------------------------------------------------------
+vtkShadowCasterEntry::Change vtkShadowCasterEntry::Place(
+  vtkShadowCasterBuffer& buffer, const std::array<double, 3>& origin, std::vector<float>& scratch)
+{
+  Change change;
+  if (!this->Moved)
+  {
+    return change;
+  }
+  this->Moved = false;
+  const bool hadBody = this->HasBody;
+  const vtkShadowCasters::Body old = this->Body;
+  this->HasBody = this->FindBody(origin, scratch);
+  change.Bodies = hadBody != this->HasBody || old.Bounds != this->Body.Bounds ||
+    old.Flat != this->Body.Flat || (old.Flat && old.Corners != this->Body.Corners);
+  if (this->DrawsFromBuffer())
+  {
+    change.Casters = this->Write(buffer, scratch).Casters;
+  }
+  else
+  {
+    change.Casters = this->Range.NumberOfIndices > 0;
+    buffer.Free(this->Range);
+    this->Reshaped = true;
+  }
+  change.Casters = change.Casters || (this->Body.Casts && hadBody != this->HasBody);
+  return change;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowCasterEntry::FindBody(
+  const std::array<double, 3>& origin, std::vector<float>& scratch)
+{
+  this->Body.Flat = false;
+  if (!IsFinite(this->Matrix.data(), 16))
+  {
+    return false;
+  }
+  if (this->Geometry.GetNumberOfVertices() > 0)
+  {
+    if (scratch.size() < 3 * this->Geometry.GetNumberOfVertices())
+    {
+      scratch.resize(3 * this->Geometry.GetNumberOfVertices());
+    }
+    if (!this->Geometry.Transform(
+          this->Matrix.data(), origin.data(), scratch.data(), this->Body.Bounds.data()))
+    {
+      return false;
+    }
+    this->FindPlane();
+    return true;
+  }
+  if (this->IsInBuffer())
+  {
+    return false; // no triangles: nothing to see
+  }
+  double bounds[6];
+  if (vtkShadowCasterSource::GetModelBounds(this->Prop, bounds))
+  {
+    this->Body.Bounds = TransformBounds(this->Matrix, bounds);
+    return IsFinite(this->Body.Bounds.data(), 6);
+  }
+  const double* found = vtkActor::SafeDownCast(this->Prop) ? nullptr : this->Prop->GetBounds();
+  if (!found || !vtkMath::AreBoundsInitialized(found) || !IsFinite(found, 6))
+  {
+    return false;
+  }
+  std::copy_n(found, 6, this->Body.Bounds.data());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// A plane stays a plane under the matrix, unless that flattens it further.
+void vtkShadowCasterEntry::FindPlane()
+{
+  if (!this->Geometry.IsFlat())
+  {
+    return;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Body.Corners[i] = TransformPoint(this->Matrix, this->Geometry.GetCorners()[i].data());
+  }
+  double u[3];
+  double v[3];
+  vtkMath::Subtract(this->Body.Corners[2].data(), this->Body.Corners[0].data(), u);
+  vtkMath::Subtract(this->Body.Corners[3].data(), this->Body.Corners[1].data(), v);
+  vtkMath::Cross(u, v, this->Body.Normal.data());
+  const double extent = vtkMath::Dot(u, u) + vtkMath::Dot(v, v);
+  this->Body.Flat = vtkMath::Normalize(this->Body.Normal.data()) > 1e-12 * extent;
+  this->Body.Offset = vtkMath::Dot(this->Body.Normal.data(), this->Body.Corners[0].data());
+}
+
+//------------------------------------------------------------------------------
+// What looks modified is often the same: colours, a prop set to where it was. Comparing costs less
+// than baking.
+vtkShadowCasterEntry::Change vtkShadowCasterEntry::Write(
+  vtkShadowCasterBuffer& buffer, const std::vector<float>& scratch)
+{
+  Change change;
+  const std::size_t vertices = this->Geometry.GetNumberOfVertices();
+  const auto& indices = this->Geometry.GetIndices();
+  const bool fits =
+    this->Range.NumberOfVertices == vertices && this->Range.NumberOfIndices == indices.size();
+  if (!fits)
+  {
+    buffer.Place(this->Range, vertices, indices.size());
+  }
+  if (!fits || (this->Reshaped && !buffer.HasIndices(this->Range, indices.data())))
+  {
+    buffer.SetIndices(this->Range, indices.data());
+    change.Casters = true;
+  }
+  if (!fits ||
+    std::memcmp(buffer.GetVertices(this->Range), scratch.data(), 3 * vertices * sizeof(float)) != 0)
+  {
+    buffer.SetVertices(this->Range, scratch.data());
+    change.Casters = true;
+  }
+  this->Reshaped = false;
+  return change;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkShadowCasterEntry
+ * @brief   What is remembered of one visible opaque prop, or leaf of an assembly.
+ */
+
+#ifndef vtkShadowCasterEntry_h
+#define vtkShadowCasterEntry_h
+
+#include "vtkShadowCasterBuffer.h"
+#include "vtkShadowCasterGeometry.h"
+#include "vtkShadowCasterSource.h"
+#include "vtkShadowCasters.h"
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <array>   // For matrices
+#include <cstdint> // For signatures
+#include <vector>  // For the scratch memory
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkProp3D;
+
+class vtkShadowCasterEntry
+{
+public:
+  /// What the last Refresh or Place found to be new.
+  struct Change
+  {
+    bool Casters = false; ///< what a depth map shows
+    bool Bodies = false;  ///< boxes, planes, flags
+  };
+
+  vtkProp3D* Prop = nullptr; // valid during an Update and the draws until the next
+  bool IsLeaf = false;       // of an assembly: Matrix is not the prop's own
+  std::array<double, 16> Matrix{};
+  vtkShadowCasters::Body Body;
+  bool HasBody = false;
+
+  /// Takes over what the prop is now. Geometry is rebuilt if the prop's shape changed.
+  Change Refresh(const vtkShadowCasterSource& source, const std::array<double, 16>& matrix,
+    bool casts, bool receives);
+
+  /// The prop has to be transformed and written again, whether or not it changed.
+  void Touch() { this->Moved = true; }
+
+  /// Transforms, finds the body and writes to the buffer what is new.
+  Change Place(vtkShadowCasterBuffer& buffer, const std::array<double, 3>& origin,
+    std::vector<float>& scratch);
+
+  /// Gives the buffer its room back.
+  void Remove(vtkShadowCasterBuffer& buffer) { buffer.Free(this->Range); }
+  /// The buffer has been cleared.
+  void ForgetRange();
+
+  bool DrawsFromBuffer() const { return this->HasBody && this->Body.Casts && this->IsInBuffer(); }
+  bool DrawsThroughMapper() const
+  {
+    return this->HasBody && this->Body.Casts && this->Route == vtkShadowCasterSource::MAPPER;
+  }
+  const vtkShadowCasterBuffer::Range& GetRange() const { return this->Range; }
+
+private:
+  bool IsInBuffer() const { return this->Route == vtkShadowCasterSource::BUFFER; }
+  bool FindBody(const std::array<double, 3>& origin, std::vector<float>& scratch);
+  void FindPlane();
+  Change Write(vtkShadowCasterBuffer& buffer, const std::vector<float>& scratch);
+
+  int Route = vtkShadowCasterSource::NONE;
+  std::uint64_t Signature = 0;
+  bool Moved = true;
+  bool Reshaped = true;
+  vtkShadowCasterGeometry Geometry;
+  vtkShadowCasterBuffer::Range Range;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkShadowCasterEntry.h

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkShadowCasterProgram
+ * @brief   The shaders that draw casters from their buffer, and the OpenGL state they need.
+ */
+
+#ifndef vtkShadowCasterProgram_h
+#define vtkShadowCasterProgram_h
+
+#include "vtkOpenGLState.h"    // For scoped state
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <array> // For the origin
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+struct vtkShadowMapView;
+
+class vtkShadowCasterProgram
+{
+public:
+  /// Depth only, two-sided, depth clamped to the range; what was before comes back at the end.
+  class ScopedState
+  {
+  public:
+    explicit ScopedState(vtkOpenGLState* state);
+    ~ScopedState();
+    ScopedState(const ScopedState&) = delete;
+    void operator=(const ScopedState&) = delete;
+
+  private:
+    vtkOpenGLState::ScopedglEnableDisable DepthTest;
+    vtkOpenGLState::ScopedglEnableDisable CullFace;
+    vtkOpenGLState::ScopedglEnableDisable Blend;
+    vtkOpenGLState::ScopedglDepthMask DepthMask;
+    vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+    vtkOpenGLState::ScopedglColorMask ColorMask;
+    bool HadDepthClamp;
+    bool HadPolygonOffset;
+  };
+
+  /// Makes the program current with its uniforms for the view. False if it does not compile.
+  bool Use(vtkOpenGLRenderWindow* window, const vtkShadowMapView& view,
+    const std::array<double, 3>& origin, int resolution, bool conservative);
+
+  /// Where the current program takes the vertices.
+  unsigned int GetLocation() const { return this->Location; }
+
+  void ReleaseGraphicsResources();
+
+private:
+  std::array<vtkShaderProgram*, 2> Programs{}; // normal, conservative; the shader cache owns them
+  unsigned int Location = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkShadowCasterProgram.h

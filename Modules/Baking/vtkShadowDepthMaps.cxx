@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowDepthMaps.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkShadowCasters.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowsOpenGL.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkShadowDepthMaps);
+
+namespace
+{
+// The state of a bake that is not the casters' own: where they are drawn.
+class ScopedTarget
+{
+public:
+  ScopedTarget(vtkOpenGLState* state, unsigned int framebuffer, int resolution)
+    : State(state)
+    , Viewport(state)
+    , Scissor(state, GL_SCISSOR_TEST)
+    , Stencil(state, GL_STENCIL_TEST)
+    , DepthMask(state)
+  {
+    state->PushFramebufferBindings();
+    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    state->vtkglDrawBuffer(GL_NONE);
+    state->vtkglReadBuffer(GL_NONE);
+    state->vtkglViewport(0, 0, resolution, resolution);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_STENCIL_TEST);
+    state->vtkglDepthMask(GL_TRUE); // or nothing is cleared
+  }
+  ~ScopedTarget() { this->State->PopFramebufferBindings(); }
+  ScopedTarget(const ScopedTarget&) = delete;
+  void operator=(const ScopedTarget&) = delete;
+
+private:
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglEnableDisable Scissor;
+  vtkOpenGLState::ScopedglEnableDisable Stencil;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkShadowDepthMaps::vtkShadowDepthMaps() = default;
+
+//------------------------------------------------------------------------------
+vtkShadowDepthMaps::~vtkShadowDepthMaps()
+{
+  if (this->Framebuffer != 0)
+  {
+    vtkErrorMacro("ReleaseGraphicsResources was not called before the destruction.");
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowDepthMaps::Bake(vtkRenderer* renderer, vtkShadowCasters* casters,
+  const std::vector<vtkShadowMapView>& views, int resolution, bool conservative)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    vtkErrorMacro("Depth maps need an OpenGL render window.");
+    return -1;
+  }
+  const auto count = static_cast<int>(views.size());
+  bool all = casters->GetCastersTime() != this->CastersTime || resolution != this->Resolution ||
+    conservative != this->Conservative;
+  if (count > 0 && (resolution != this->Texture->GetWidth() || count > this->Texture->GetLayers()))
+  {
+    if (!this->Texture->Allocate(
+          window, vtkShadowTextureArray::DEPTH32F, resolution, resolution, count))
+    {
+      this->Views.clear();
+      return -1;
+    }
+    all = true;
+  }
+  if (all)
+  {
+    this->Views.clear();
+  }
+  this->CastersTime = casters->GetCastersTime();
+  this->Resolution = resolution;
+  this->Conservative = conservative;
+  return this->BakeLayers(renderer, casters, views);
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowDepthMaps::BakeLayers(
+  vtkRenderer* renderer, vtkShadowCasters* casters, const std::vector<vtkShadowMapView>& views)
+{
+  const auto isHeld = [this, &views](std::size_t layer)
+  { return layer < this->Views.size() && this->Views[layer] == views[layer]; };
+  std::size_t first = 0;
+  while (first < views.size() && isHeld(first))
+  {
+    ++first;
+  }
+  int baked = 0;
+  if (first < views.size())
+  {
+    auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+    if (this->Framebuffer == 0)
+    {
+      glGenFramebuffers(1, &this->Framebuffer);
+    }
+    const ScopedTarget target(window->GetState(), this->Framebuffer, this->Resolution);
+    const float empty = 1.0f;
+    for (std::size_t layer = first; layer < views.size(); ++layer)
+    {
+      if (!isHeld(layer))
+      {
+        this->Texture->AttachLayer(static_cast<int>(layer));
+        glClearBufferfv(GL_DEPTH, 0, &empty);
+        this->NumberOfDrawCalls +=
+          casters->Draw(renderer, views[layer], this->Resolution, this->Conservative);
+        ++baked;
+      }
+    }
+  }
+  if (baked > 0 || views.size() != this->Views.size())
+  {
+    vtkTimeStamp stamp;
+    stamp.Modified();
+    this->BakeTime = stamp.GetMTime();
+  }
+  this->Views = views;
+  this->NumberOfBakes += baked;
+  return baked;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkShadowDepthMaps::ReadDepth(int layer)
+{
+  if (layer < 0 || layer >= static_cast<int>(this->Views.size()))
+  {
+    vtkErrorMacro("There is no layer " << layer << "; the layers are 0 to "
+                                       << static_cast<int>(this->Views.size()) - 1 << ".");
+    return nullptr;
+  }
+  const std::vector<float> depths = this->Texture->ReadLayer(layer);
+  const vtkShadowMapView& view = this->Views[static_cast<std::size_t>(layer)];
+  const double width = (view.Window[1] - view.Window[0]) / this->Resolution;
+  const double height = (view.Window[3] - view.Window[2]) / this->Resolution;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(this->Resolution, this->Resolution, 1);
+  image->SetOrigin(view.Window[0] + 0.5 * width, view.Window[2] + 0.5 * height, 0.0);
+  image->SetSpacing(width, height, 1.0);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  image->GetPointData()->GetScalars()->SetName("Depth");
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  std::transform(depths.begin(), depths.end(), values,
+    [&view](float depth)
+    {
+      return depth < 1.0f ? static_cast<float>(view.LinearDepth(depth))
+                          : std::numeric_limits<float>::infinity();
+    });
+  return image;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowDepthMaps::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Framebuffer != 0)
+  {
+    glDeleteFramebuffers(1, &this->Framebuffer);
+    this->Framebuffer = 0;
+  }
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Views.clear();
+  this->Resolution = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowDepthMaps::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Views: " << this->Views.size() << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Conservative: " << this->Conservative << "\n";
+  os << indent << "NumberOfBakes: " << this->NumberOfBakes << "\n";
+  os << indent << "NumberOfDrawCalls: " << this->NumberOfDrawCalls << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

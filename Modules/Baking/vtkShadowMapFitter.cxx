@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowMapFitter.h"
+
+#include "vtkMath.h"
+#include "vtkShadowProjection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+using Body = vtkShadowCasters::Body;
+using Part = vtkShadowProjection::Part;
+using Window = vtkShadowProjection::Window;
+
+constexpr double LARGEST_TANGENT = 11.430052302761343; // tan(85 degrees)
+constexpr double FACE_TANGENT = 1.05;                  // of a cube's face, with its border
+constexpr double NEAREST = 1e-3;                       // of the far distance
+constexpr double MARGIN = 1.0 / 30.0 + 1e-6;           // (1 + 2 m) / 32 <= m
+constexpr double DEPTH_MARGIN = 0.01;                  // of the depth
+constexpr double BEHIND_TOLERANCE = 1e-5;              // of a receiver's size
+constexpr double THINNEST = 1e-3;                      // of a window's longer edge
+
+Window Intersect(const Window& a, const Window& b)
+{
+  return { { std::max(a[0], b[0]), std::min(a[1], b[1]), std::max(a[2], b[2]),
+    std::min(a[3], b[3]) } };
+}
+
+bool IsEmpty(const Window& window)
+{
+  return !(window[0] <= window[1] && window[2] <= window[3]);
+}
+
+bool Contains(const Part& whole, const Part& part)
+{
+  return !whole.Empty && whole.Extent[0] <= part.Extent[0] && whole.Extent[1] >= part.Extent[1] &&
+    whole.Extent[2] <= part.Extent[2] && whole.Extent[3] >= part.Extent[3] &&
+    whole.Nearest <= part.Nearest && whole.Farthest >= part.Farthest;
+}
+
+void Unite(Part& whole, const Part& part)
+{
+  if (whole.Empty)
+  {
+    whole = part;
+  }
+  else if (!part.Empty)
+  {
+    whole.Extent = { { std::min(whole.Extent[0], part.Extent[0]),
+      std::max(whole.Extent[1], part.Extent[1]), std::min(whole.Extent[2], part.Extent[2]),
+      std::max(whole.Extent[3], part.Extent[3]) } };
+    whole.Nearest = std::min(whole.Nearest, part.Nearest);
+    whole.Farthest = std::max(whole.Farthest, part.Farthest);
+  }
+}
+
+// Can shadow itself: a plane cannot.
+bool IsItsOwnReceiver(const Body& body)
+{
+  return !body.Flat && body.Receives;
+}
+
+// Which side of a flat body all of the emitter is on: 1 or -1 along its normal, 0 if it is on both.
+int SideOfEmitter(const Body& body, const vtkShadowEmitter& emitter)
+{
+  const double along = vtkMath::Dot(body.Normal.data(), emitter.Direction.data());
+  const double spread =
+    std::abs(vtkMath::Dot(body.Normal.data(), emitter.AxisU.data())) * emitter.HalfSize[0] +
+    std::abs(vtkMath::Dot(body.Normal.data(), emitter.AxisV.data())) * emitter.HalfSize[1];
+  const double distance = emitter.Directional
+    ? -along
+    : vtkMath::Dot(body.Normal.data(), emitter.Center.data()) - body.Offset;
+  return distance >= spread ? 1 : (distance <= -spread ? -1 : 0);
+}
+
+// Some of the receiver is on the plane's other side than the emitter.
+bool ReachesBehind(const Body& plane, int side, const Body& receiver)
+{
+  if (side == 0)
+  {
+    return true;
+  }
+  double size = 0.0;
+  double deepest = std::numeric_limits<double>::infinity();
+  if (receiver.Flat)
+  {
+    size = std::sqrt(
+      vtkMath::Distance2BetweenPoints(receiver.Corners[0].data(), receiver.Corners[2].data()));
+    for (const auto& corner : receiver.Corners)
+    {
+      deepest =
+        std::min(deepest, side * (vtkMath::Dot(plane.Normal.data(), corner.data()) - plane.Offset));
+    }
+  }
+  else
+  {
+    deepest = -side * plane.Offset;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double low = receiver.Bounds[2 * i];
+      const double high = receiver.Bounds[2 * i + 1];
+      const double slope = side * plane.Normal[i];
+      deepest += std::min(slope * low, slope * high);
+      size += (high - low) * (high - low);
+    }
+    size = std::sqrt(size);
+  }
+  return deepest < -BEHIND_TOLERANCE * size;
+}
+
+// The part of one depth map's work: an emitter and what it sees of the bodies.
+class Fit
+{
+public:
+  Fit(const std::vector<Body>& bodies, const vtkShadowEmitter& emitter, const Window& limit)
+    : Bodies(bodies)
+    , Emitter(emitter)
+  {
+    const vtkShadowProjection projection(emitter, limit);
+    this->Parts.reserve(bodies.size());
+    std::transform(bodies.begin(), bodies.end(), std::back_inserter(this->Parts),
+      [&projection](const Body& body) { return projection.Project(body); });
+  }
+
+  // What the effective casters cover.
+  Part Run()
+  {
+    Part covered;
+    for (std::size_t i = 0; i < this->Bodies.size(); ++i)
+    {
+      if (this->Bodies[i].Casts && IsItsOwnReceiver(this->Bodies[i]))
+      {
+        Unite(covered, this->Parts[i]);
+      }
+    }
+    for (std::size_t i = 0; i < this->Bodies.size(); ++i)
+    {
+      if (this->Bodies[i].Casts && !IsItsOwnReceiver(this->Bodies[i]) && !this->Parts[i].Empty &&
+        !Contains(covered, this->Parts[i]))
+      {
+        Unite(covered, this->EffectivePart(i));
+      }
+    }
+    return covered;
+  }
+
+private:
+  // How far the emitter's extent moves the shadow of something at depth nearest on something at depth
+  // farthest, in the units of the window.
+  std::array<double, 2> Penumbra(double nearest, double farthest) const
+  {
+    const double least = std::max(nearest, NEAREST * farthest);
+    const double scale =
+      this->Emitter.Directional ? farthest - nearest : std::max(1.0 / least - 1.0 / farthest, 0.0);
+    return { { this->Emitter.HalfSize[0] * scale, this->Emitter.HalfSize[1] * scale } };
+  }
+
+  // The part of a caster in front of which, seen from the receivers, the light is.
+  Part EffectivePart(std::size_t index) const
+  {
+    const Body& caster = this->Bodies[index];
+    const Part& part = this->Parts[index];
+    const int side = caster.Flat ? SideOfEmitter(caster, this->Emitter) : 0;
+    Part shadowing;
+    for (std::size_t i = 0; i < this->Bodies.size(); ++i)
+    {
+      const Part& behind = this->Parts[i];
+      if (i == index || !this->Bodies[i].Receives || behind.Empty ||
+        behind.Farthest <= part.Nearest || !ReachesBehind(caster, side, this->Bodies[i]))
+      {
+        continue;
+      }
+      const auto penumbra = this->Penumbra(part.Nearest, behind.Farthest);
+      const Window reach = { { behind.Extent[0] - penumbra[0], behind.Extent[1] + penumbra[0],
+        behind.Extent[2] - penumbra[1], behind.Extent[3] + penumbra[1] } };
+      const Window shared = Intersect(part.Extent, reach);
+      if (!IsEmpty(shared))
+      {
+        Unite(shadowing, { false, shared, part.Nearest, part.Farthest });
+      }
+    }
+    if (shadowing.Empty || shadowing.Extent == part.Extent)
+    {
+      return shadowing;
+    }
+    // Only so much of it counts, and that may be less deep.
+    return vtkShadowProjection(this->Emitter, shadowing.Extent).Project(caster);
+  }
+
+  const std::vector<Body>& Bodies;
+  const vtkShadowEmitter& Emitter;
+  std::vector<Part> Parts;
+};
+
+void SetWindow(const Part& covered, vtkShadowMapView& view)
+{
+  const double width = covered.Extent[1] - covered.Extent[0];
+  const double height = covered.Extent[3] - covered.Extent[2];
+  const double depth = view.Emitter.Directional ? covered.Farthest - covered.Nearest : 1.0;
+  // Something seen edge-on, or a point, still needs a window.
+  const double thinnest = std::max({ THINNEST * width, THINNEST * height, 1e-6 * depth, 1e-30 });
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double low = covered.Extent[2 * axis];
+    const double high = covered.Extent[2 * axis + 1];
+    const double half = 0.5 * std::max(high - low, thinnest) * (1.0 + 2.0 * MARGIN);
+    view.Window[2 * axis] = 0.5 * (low + high) - half;
+    view.Window[2 * axis + 1] = 0.5 * (low + high) + half;
+  }
+}
+
+void SetDepths(const Part& covered, vtkShadowMapView& view)
+{
+  if (view.Emitter.Directional)
+  {
+    const double window =
+      std::max(view.Window[1] - view.Window[0], view.Window[3] - view.Window[2]);
+    const double margin = DEPTH_MARGIN * std::max(covered.Farthest - covered.Nearest, window);
+    view.Near = covered.Nearest - margin;
+    view.Far = covered.Farthest + margin;
+  }
+  else
+  {
+    view.Far = covered.Farthest * (1.0 + DEPTH_MARGIN);
+    view.Near = std::max(covered.Nearest * (1.0 - DEPTH_MARGIN), NEAREST * view.Far);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkShadowMapFitter::vtkShadowMapFitter(const std::vector<vtkShadowCasters::Body>& bodies)
+  : Bodies(bodies)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowMapFitter::Fit(const vtkShadowEmitter& emitter, vtkShadowMapView& view) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double tangent =
+    emitter.Directional ? infinity : (emitter.Omni ? FACE_TANGENT : LARGEST_TANGENT);
+  const Window limit = { { -tangent, tangent, -tangent, tangent } };
+  const Part covered = ::Fit(this->Bodies, emitter, limit).Run();
+  if (covered.Empty)
+  {
+    return false;
+  }
+  view.Emitter = emitter;
+  SetWindow(covered, view);
+  SetDepths(covered, view);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowMapView> vtkShadowMapFitter::FitAll(const vtkShadowEmitter& emitter) const
+{
+  std::vector<vtkShadowMapView> views;
+  vtkShadowMapView view;
+  if (!emitter.Omni)
+  {
+    if (this->Fit(emitter, view))
+    {
+      views.push_back(view);
+    }
+    return views;
+  }
+  const std::array<std::array<double, 3>, 3> axes{ { emitter.Direction, emitter.AxisU,
+    emitter.AxisV } };
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face / 2;
+    const double sign = face % 2 == 0 ? 1.0 : -1.0;
+    vtkShadowEmitter part = emitter;
+    for (int i = 0; i < 3; ++i)
+    {
+      part.Direction[i] = sign * axes[axis][i];
+      part.AxisV[i] = axis == 2 ? emitter.AxisU[i] : emitter.AxisV[i];
+    }
+    vtkMath::Cross(part.Direction.data(), part.AxisV.data(), part.AxisU.data());
+    if (this->Fit(part, view))
+    {
+      views.push_back(view);
+    }
+  }
+  return views;
+}
+
+VTK_ABI_NAMESPACE_END
