@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DifferencePicture.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <vtkColorTransferFunction.h>
+#include <vtkNew.h>
+
+#include <cmath>     // For std::isnan
+#include <stdexcept> // For errors
+
+namespace softshadows
+{
+
+//--------------------------------------------------------------------------------------------------
+std::vector<unsigned char> DrawDifference(
+  const std::vector<float>& truth, const std::vector<float>& estimate, double range)
+{
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->SetColorSpaceToDiverging();
+  colors->AddRGBPoint(-range, 0.230, 0.299, 0.754);
+  colors->AddRGBPoint(range, 0.706, 0.016, 0.150);
+  std::vector<unsigned char> rgb;
+  rgb.reserve(3 * truth.size());
+  for (size_t i = 0; i < truth.size(); ++i)
+  {
+    const bool inTruth = !std::isnan(truth[i]);
+    const bool inEstimate = !std::isnan(estimate[i]);
+    if (inTruth && inEstimate)
+    {
+      const unsigned char* color = colors->MapValue(static_cast<double>(estimate[i]) - truth[i]);
+      rgb.insert(rgb.end(), color, color + 3);
+    }
+    else
+    {
+      rgb.insert(rgb.end(), 3, inTruth == inEstimate ? 128 : 0);
+    }
+  }
+  return rgb;
+}
+
+//--------------------------------------------------------------------------------------------------
+void WritePicture(
+  const std::string& path, int width, int height, const std::vector<unsigned char>& rgb)
+{
+  const auto output = OIIO::ImageOutput::create(path);
+  if (!output)
+  {
+    throw std::runtime_error(path + ": " + OIIO::geterror());
+  }
+  const OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
+  if (!output->open(path, spec) || !output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) ||
+    !output->close())
+  {
+    throw std::runtime_error(path + ": " + output->geterror());
+  }
+}
+
+}
