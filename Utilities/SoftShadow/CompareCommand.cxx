@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CompareCommand.h"
+
+#include "DifferencePicture.h"
+#include "ErrorReport.h"
+#include "Silhouettes.h"
+#include "VisibilityFile.h"
+
+#include <filesystem> // For names of pictures
+#include <fstream>    // For the report
+#include <iostream>   // For the table
+#include <memory>     // For the options' life
+#include <stdexcept>  // For errors
+
+namespace softshadows
+{
+namespace
+{
+
+struct CompareOptions
+{
+  std::string Reference;
+  std::string Candidate;
+  int Light = -1; // all
+  std::string Picture;
+  double Range = DefaultDifferenceRange;
+  std::string Report;
+};
+
+//--------------------------------------------------------------------------------------------------
+std::string SizeOf(const VisibilityImage& image)
+{
+  return std::to_string(image.Width) + " x " + std::to_string(image.Height) + " pixels and " +
+    std::to_string(image.Visibility.size()) + " light(s)";
+}
+
+//--------------------------------------------------------------------------------------------------
+void CheckSizes(
+  const CompareOptions& options, const VisibilityImage& reference, const VisibilityImage& candidate)
+{
+  const bool sameLights =
+    options.Light >= 0 || reference.Visibility.size() == candidate.Visibility.size();
+  if (reference.Width != candidate.Width || reference.Height != candidate.Height || !sameLights)
+  {
+    throw std::runtime_error(options.Reference + " has " + SizeOf(reference) + ", " +
+      options.Candidate + " has " + SizeOf(candidate));
+  }
+  const auto light = static_cast<size_t>(std::max(0, options.Light));
+  if (light >= reference.Visibility.size() || light >= candidate.Visibility.size())
+  {
+    throw std::runtime_error("--light " + std::to_string(options.Light) + ": " + options.Reference +
+      " has " + SizeOf(reference) + ", " + options.Candidate + " has " + SizeOf(candidate));
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+// With several lights the light's number stands before the ending: diff.png, diff-1.png, ...
+std::string PicturePath(const CompareOptions& options, size_t light)
+{
+  if (light == 0 || options.Light >= 0)
+  {
+    return options.Picture;
+  }
+  std::filesystem::path path(options.Picture);
+  const std::string ending = path.extension().string();
+  path.replace_extension();
+  return path.string() + "-" + std::to_string(light) + ending;
+}
+
+//--------------------------------------------------------------------------------------------------
+void WriteReport(const CompareOptions& options, const nlohmann::ordered_json& report)
+{
+  std::ofstream file(options.Report);
+  file << report.dump(2) << '\n';
+  file.close();
+  if (!file)
+  {
+    throw std::runtime_error(options.Report + ": cannot be written");
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void Compare(const CompareOptions& options)
+{
+  const VisibilityImage reference = ReadVisibility(options.Reference);
+  const VisibilityImage candidate = ReadVisibility(options.Candidate);
+  CheckSizes(options, reference, candidate);
+  std::vector<unsigned char> leftOut;
+  if (!reference.Depth.empty())
+  {
+    leftOut = FindSilhouettes(reference.Width, reference.Height, reference.Depth);
+  }
+
+  nlohmann::ordered_json report = { { "reference", options.Reference },
+    { "candidate", options.Candidate }, { "width", reference.Width },
+    { "height", reference.Height }, { "lights", nlohmann::ordered_json::array() } };
+  const size_t first = options.Light >= 0 ? options.Light : 0;
+  const size_t last = options.Light >= 0 ? first : reference.Visibility.size() - 1;
+  for (size_t light = first; light <= last; ++light)
+  {
+    const std::vector<float>& truth = reference.Visibility[light];
+    const std::vector<float>& estimate = candidate.Visibility[light];
+    const VisibilityErrors errors =
+      MeasureErrors(reference.Width, reference.Height, truth, estimate, leftOut);
+    std::cout << "Light " << light << '\n';
+    PrintErrors(std::cout, errors);
+    nlohmann::ordered_json entry = ToJson(errors);
+    entry["light"] = light;
+    report["lights"].push_back(entry);
+    if (!options.Picture.empty())
+    {
+      WritePicture(PicturePath(options, light), reference.Width, reference.Height,
+        DrawDifference(truth, estimate, options.Range));
+    }
+  }
+  if (!options.Report.empty())
+  {
+    WriteReport(options, report);
+  }
+}
+
+}
+
+//--------------------------------------------------------------------------------------------------
+void AddCompareCommand(CLI::App& app)
+{
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand("compare",
+    "Measure how far a visibility is from a reference: RMSE, PSNR, SSIM, leaks, false shadows. "
+    "Pixels at silhouettes (from the reference's depth) are left out.");
+  command->add_option("REFERENCE", options->Reference, "OpenEXR file with the truth")->required();
+  command->add_option("CANDIDATE", options->Candidate, "OpenEXR file to judge")->required();
+  command->add_option("--light", options->Light, "Number of the one light to compare, from 0")
+    ->check(CLI::NonNegativeNumber);
+  command->add_option("--diff", options->Picture,
+    "Write the difference as a picture: blue too dark, red too bright, black where one has no "
+    "value. With several lights, one picture each: NAME.png, NAME-1.png, ...");
+  command
+    ->add_option(
+      "--diff-range", options->Range, "The error that has the picture's strongest colour")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command->add_option("--report", options->Report, "Write the numbers as JSON");
+  command->callback([options] { Compare(*options); });
+}
+
+}
