@@ -340,13 +340,18 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   {
     impl.CollectBodies();
   }
+  if (!impl.BodiesChanged && !impl.CastersChanged)
+  {
+    return false;
+  }
+  vtkTimeStamp stamp;
+  stamp.Modified();
+  this->BodiesTime = stamp.GetMTime();
   if (impl.CastersChanged)
   {
-    vtkTimeStamp stamp;
-    stamp.Modified();
-    this->CastersTime = stamp.GetMTime();
+    this->CastersTime = this->BodiesTime;
   }
-  return impl.BodiesChanged || impl.CastersChanged;
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -61,6 +61,9 @@ public:
   /// Grows whenever Update finds a change in what casts; depth maps are valid for one value of it.
   vtkGetMacro(CastersTime, vtkMTimeType);
 
+  /// Grows whenever Update returns true; fits of depth maps are valid for one value of it.
+  vtkGetMacro(BodiesTime, vtkMTimeType);
+
   /// What the fit of a depth map needs to know of one prop (or leaf of an assembly).
   struct Body
   {
@@ -104,6 +107,7 @@ protected:
   ~vtkShadowCasters() override;
 
   vtkMTimeType CastersTime = 0;
+  vtkMTimeType BodiesTime = 0;
 
 private:
   vtkShadowCasters(const vtkShadowCasters&) = delete;

@@ -4,9 +4,10 @@
  * @class   vtkShadowDepthPyramid
  * @brief   Minimum and maximum depth over ever larger squares of the depth maps.
  *
- * An RG32F array texture with as many layers as the maps. Its level 0 has half the maps' resolution
- * (rounded up); a texel of level k holds (minimum, maximum) of d over the 2^(k+1) x 2^(k+1) texels of the map
- * that it stands for. It proves most pixels fully lit or fully blocked without a single tap.
+ * An RG32F array texture with as many layers as the maps. Its level 0 is half as wide as the maps,
+ * rounded up to a power of two; the texel (i, j) of level k holds (minimum, maximum) of d over the
+ * 2^(k+1) x 2^(k+1) texels of the map from (i 2^(k+1), j 2^(k+1)) on, with depth 1 beyond the map. It
+ * proves most pixels fully lit or fully blocked without a single tap.
  */
 
 #ifndef vtkShadowDepthPyramid_h

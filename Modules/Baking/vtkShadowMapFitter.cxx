@@ -197,6 +197,31 @@ private:
   std::vector<Part> Parts;
 };
 
+// Half the width of a cube's face at distance 1. What blocks a receiver within the face may lie
+// outside it by the emitter's extent over the blocker's depth.
+double GetFaceTangent(const vtkShadowEmitter& emitter, const std::vector<Body>& bodies)
+{
+  const double extent = std::max(emitter.HalfSize[0], emitter.HalfSize[1]);
+  if (!(extent > 0.0))
+  {
+    return FACE_TANGENT;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Body& body : bodies)
+  {
+    double distance = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double c = emitter.Center[i];
+      const double offset = std::max({ body.Bounds[2 * i] - c, c - body.Bounds[2 * i + 1], 0.0 });
+      distance += offset * offset;
+    }
+    nearest = body.Casts ? std::min(nearest, std::sqrt(distance)) : nearest;
+  }
+  // Towards a corner of the cube a distance is sqrt(3) times its part along the face's direction.
+  return std::min(FACE_TANGENT + std::sqrt(3.0) * extent / nearest, LARGEST_TANGENT);
+}
+
 void SetWindow(const Part& covered, vtkShadowMapView& view)
 {
   const double width = covered.Extent[1] - covered.Extent[0];
@@ -242,8 +267,9 @@ vtkShadowMapFitter::vtkShadowMapFitter(const std::vector<vtkShadowCasters::Body>
 bool vtkShadowMapFitter::Fit(const vtkShadowEmitter& emitter, vtkShadowMapView& view) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double tangent =
-    emitter.Directional ? infinity : (emitter.Omni ? FACE_TANGENT : LARGEST_TANGENT);
+  const double tangent = emitter.Directional ? infinity
+    : emitter.Face                           ? GetFaceTangent(emitter, this->Bodies)
+                                             : LARGEST_TANGENT;
   const Window limit = { { -tangent, tangent, -tangent, tangent } };
   const Part covered = ::Fit(this->Bodies, emitter, limit).Run();
   if (covered.Empty)
@@ -261,28 +287,9 @@ std::vector<vtkShadowMapView> vtkShadowMapFitter::FitAll(const vtkShadowEmitter&
 {
   std::vector<vtkShadowMapView> views;
   vtkShadowMapView view;
-  if (!emitter.Omni)
+  for (const vtkShadowEmitter& face : emitter.Faces())
   {
-    if (this->Fit(emitter, view))
-    {
-      views.push_back(view);
-    }
-    return views;
-  }
-  const std::array<std::array<double, 3>, 3> axes{ { emitter.Direction, emitter.AxisU,
-    emitter.AxisV } };
-  for (int face = 0; face < 6; ++face)
-  {
-    const int axis = face / 2;
-    const double sign = face % 2 == 0 ? 1.0 : -1.0;
-    vtkShadowEmitter part = emitter;
-    for (int i = 0; i < 3; ++i)
-    {
-      part.Direction[i] = sign * axes[axis][i];
-      part.AxisV[i] = axis == 2 ? emitter.AxisU[i] : emitter.AxisV[i];
-    }
-    vtkMath::Cross(part.Direction.data(), part.AxisV.data(), part.AxisU.data());
-    if (this->Fit(part, view))
+    if (this->Fit(face, view))
     {
       views.push_back(view);
     }
