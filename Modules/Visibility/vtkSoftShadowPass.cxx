@@ -236,7 +236,7 @@ void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
       impl.Maps.push_back(std::make_unique<vtkSoftShadowLightMaps>());
     }
     vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
-    maps.Fit(light.Emitter, fitter, impl.Casters->GetCastersTime(), this->Split,
+    maps.Fit(light.Emitter, fitter, impl.Casters->GetBodiesTime(), this->Split,
       this->HasGaussianWeights());
     if (faceMaps)
     {
