@@ -200,7 +200,7 @@ bool vtkSoftShadowPass::SignatureChanged(const vtkRenderState* s)
   next.Clear();
   next.Add(static_cast<vtkTypeUInt64>(reinterpret_cast<std::uintptr_t>(s->GetRenderer())));
   next.Add(static_cast<vtkTypeUInt64>(this->GetMTime()));
-  next.Add(static_cast<vtkTypeUInt64>(impl.Casters->GetCastersTime()));
+  next.Add(static_cast<vtkTypeUInt64>(impl.Casters->GetBodiesTime()));
   next.Add(static_cast<vtkTypeUInt64>(impl.Viewport[2]));
   next.Add(static_cast<vtkTypeUInt64>(impl.Viewport[3]));
   next.AddCamera(s->GetRenderer());
