@@ -5,15 +5,13 @@
 #include "Scenes.h"
 
 #include "vtkAreaLight.h"
+#include "vtkShadowCasters.h"
 
 #include <vtkActor.h>
 #include <vtkAssembly.h>
 #include <vtkCamera.h>
 #include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkCubeSource.h>
-#include <vtkInformation.h>
-#include <vtkInformationIntegerKey.h>
-#include <vtkInformationKeyLookup.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -40,15 +38,6 @@ namespace
 
 constexpr int Width = 32;
 constexpr int Height = 16;
-
-//--------------------------------------------------------------------------------------------------
-// vtkShadowCasters' keys, which the ray tracer too knows by name alone.
-vtkInformationIntegerKey* GetKey(const char* name)
-{
-  vtkInformationKey* key = vtkInformationKeyLookup::Find(name, "vtkShadowCasters");
-  return key ? vtkInformationIntegerKey::SafeDownCast(key)
-             : vtkInformationIntegerKey::MakeKey(name, "vtkShadowCasters");
-}
 
 //--------------------------------------------------------------------------------------------------
 // A square lamp of 0.2 at (0, 0, 4) over a square floor of 4 in the plane z = 0. The camera looks
@@ -131,12 +120,10 @@ TEST_F(ReferenceConventions, KeysSwitchCastingAndReceiving)
 {
   vtkSmartPointer<vtkActor> blocker = MakeBlocker(-0.6); // shadow around x = -1.2
   this->Renderer->AddActor(blocker);
-  vtkNew<vtkInformation> keys;
-  keys->Set(GetKey("CASTS_SHADOW"), 0);
   EXPECT_EQ(this->Trace().Visibility[0][At(-1.6, 0.1)], 0.0F);
-  blocker->SetPropertyKeys(keys);
+  vtkShadowCasters::SetCastsShadow(blocker, false);
   EXPECT_EQ(this->Trace().Visibility[0][At(-1.6, 0.1)], 1.0F);
-  keys->Set(GetKey("RECEIVES_SHADOW"), 0);
+  vtkShadowCasters::SetReceivesShadow(blocker, false);
   EXPECT_TRUE(std::isnan(this->Trace().Visibility[0][At(-0.6, 0.1)])) << "the blocker itself";
   EXPECT_FLOAT_EQ(this->Trace().Depth[At(-0.6, 0.1)], 8.0F);
 }
