@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the ray tracer's images mean: where a value is missing, what blocks, what is seen.
+#include "ReferenceHash.h"
 #include "ReferenceTracer.h"
 #include "Scenes.h"
 
@@ -300,6 +301,27 @@ TEST_F(ReferenceConventions, AnEmptySceneIsAllNaN)
   {
     EXPECT_TRUE(std::isnan(value));
   }
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(ReferenceConventions, HashFollowsWhatTheImageDependsOn)
+{
+  vtkSmartPointer<vtkActor> blocker = MakeBlocker(0.0);
+  this->Renderer->AddActor(blocker);
+  const std::string hash = softshadows::HashScene(this->Renderer);
+  EXPECT_EQ(hash.size(), 32U);
+  EXPECT_EQ(softshadows::HashScene(this->Renderer), hash);
+  blocker->SetPosition(0.0, 0.0, 0.001);
+  const std::string moved = softshadows::HashScene(this->Renderer);
+  EXPECT_NE(moved, hash);
+  this->Lamp->SetSize(0.2, 0.3);
+  const std::string larger = softshadows::HashScene(this->Renderer);
+  EXPECT_NE(larger, moved);
+  this->Renderer->GetActiveCamera()->Elevation(1.0);
+  const std::string raised = softshadows::HashScene(this->Renderer);
+  EXPECT_NE(raised, larger);
+  vtkShadowCasters::SetCastsShadow(blocker, false);
+  EXPECT_NE(softshadows::HashScene(this->Renderer), raised);
 }
 
 }
