@@ -142,8 +142,12 @@ int vtkShadowTextureArray::GetMaximumLayers(vtkOpenGLRenderWindow*)
 }
 
 //------------------------------------------------------------------------------
-int vtkShadowTextureArray::Activate()
+int vtkShadowTextureArray::Activate(vtkOpenGLRenderWindow* window)
 {
+  if (!this->Handle)
+  {
+    this->Window = window;
+  }
   vtkOpenGLState* state = this->Window->GetState();
   this->Unit = state->GetTextureUnitManager()->Allocate();
   state->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);

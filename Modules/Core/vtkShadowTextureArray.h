@@ -64,8 +64,11 @@ public:
   /**
    * Binds the texture to a texture unit of its own and returns the unit, for a sampler2DArray.
    * Every Activate needs its Deactivate.
+   *
+   * A texture that was never allocated takes an empty unit of the window: a program draws nothing at
+   * all while samplers of two kinds share a unit, be they read or not.
    */
-  int Activate();
+  int Activate(vtkOpenGLRenderWindow* window = nullptr);
   void Deactivate();
 
   /// The OpenGL name, 0 if there is none.

@@ -266,8 +266,7 @@ void vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_RECEIVE;
   // The sampler needs a unit of its own even where it is not read.
   vtkShadowTextureArray* visibility = impl.Target.GetTexture();
-  const bool hasTexture = visibility->GetHandle() != 0;
-  impl.Hooks.VisibilityUnit = hasTexture ? visibility->Activate() : 0;
+  impl.Hooks.VisibilityUnit = visibility->Activate(GetWindow(s));
   this->DrawOpaque(s);
   visibility->Deactivate();
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
@@ -282,8 +281,7 @@ void vtkSoftShadowPass::Shade(const vtkRenderState* s)
   impl.Hooks.Origin[0] = impl.Viewport[0];
   impl.Hooks.Origin[1] = impl.Viewport[1];
   vtkShadowTextureArray* visibility = impl.Target.GetTexture();
-  const bool hasTexture = visibility->GetHandle() != 0;
-  impl.Hooks.VisibilityUnit = hasTexture ? visibility->Activate() : 0;
+  impl.Hooks.VisibilityUnit = visibility->Activate(GetWindow(s));
   if (this->DelegatePass)
   {
     this->DelegatePass->Render(s);

@@ -157,8 +157,8 @@ void vtkSoftShadowPass::DrawMarks(const vtkSoftShadowContext& context, const vtk
   {
     this->SetMapUniforms(program, context, *view, this->MapSize);
     program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
-    program->SetUniformi("depthPyramid", pyramid->Activate());
   }
+  program->SetUniformi("depthPyramid", pyramid->Activate(context.Window));
   shader.Draw();
   pyramid->Deactivate();
   context.Receivers->Deactivate();
