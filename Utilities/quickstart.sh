@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build="${BUILD_DIR:-build/quickstart}"
 jobs="${JOBS:-$(nproc)}"
 pictures="${1:-quickstart}"
-scene=Testing/Data/bunny.json
+scene=Testing/Data/Scenes/bunny.json
 
 Utilities/Scripts/install-packages.sh build run
 echo "Configuring and building in $build"
