@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ModelStore.h"
+
+#include "PlyFile.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkLogger.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSTLReader.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+namespace softshadows
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Takes VTK's messages in place of the terminal.
+class MessageCollector : public vtkOutputWindow
+{
+public:
+  static MessageCollector* New();
+  vtkTypeMacro(MessageCollector, vtkOutputWindow);
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char* text) override { this->Keep(text); }
+  void DisplayGenericWarningText(const char* text) override { this->Keep(text); }
+  void DisplayWarningText(const char*) override {}
+
+  std::string FirstError;
+
+private:
+  void Keep(const char* text)
+  {
+    if (!this->FirstError.empty())
+    {
+      return;
+    }
+    // "ERROR: In file, line 7\nvtkFooReader (0x1234): what went wrong\n\n"
+    std::string message = text;
+    const std::size_t address = message.find("): ");
+    message = address == std::string::npos ? message : message.substr(address + 3);
+    message = message.substr(0, message.find('\n'));
+    this->FirstError = message.empty() ? "the reader failed" : message;
+  }
+};
+vtkStandardNewMacro(MessageCollector);
+
+/// While it lives VTK's errors are collected, and its log does not write them to the terminal too.
+class MessagesTaken
+{
+public:
+  MessagesTaken()
+    : Before(vtkOutputWindow::GetInstance())
+    , VerbosityBefore(vtkLogger::GetCurrentVerbosityCutoff())
+  {
+    vtkOutputWindow::SetInstance(this->Collector);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+  ~MessagesTaken()
+  {
+    vtkLogger::SetStderrVerbosity(this->VerbosityBefore);
+    vtkOutputWindow::SetInstance(this->Before);
+  }
+  MessagesTaken(const MessagesTaken&) = delete;
+  MessagesTaken& operator=(const MessagesTaken&) = delete;
+
+  const std::string& GetFirstError() const { return this->Collector->FirstError; }
+
+private:
+  vtkNew<MessageCollector> Collector;
+  vtkSmartPointer<vtkOutputWindow> Before;
+  vtkLogger::Verbosity VerbosityBefore;
+};
+
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> ReadWith(const std::string& path)
+{
+  const MessagesTaken messages;
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (!messages.GetFirstError().empty())
+  {
+    throw std::runtime_error("damaged or truncated: " + messages.GetFirstError());
+  }
+  vtkSmartPointer<vtkPolyData> mesh = reader->GetOutput();
+  return mesh;
+}
+
+/// vtkSTLReader takes the triangles it finds, fewer than announced or none.
+void CheckBinaryStl(const std::string& path)
+{
+  constexpr std::uintmax_t headerBytes = 80;
+  constexpr std::uintmax_t triangleBytes = 50;
+  std::ifstream stream(path, std::ios::binary);
+  char header[headerBytes + 4] = {};
+  stream.read(header, sizeof(header));
+  const auto bytesRead = static_cast<std::size_t>(stream.gcount());
+  const bool isText = bytesRead >= 5 && std::string(header, 5) == "solid" &&
+    std::find(header, header + bytesRead, '\0') == header + bytesRead;
+  if (isText)
+  {
+    return;
+  }
+  if (bytesRead < sizeof(header))
+  {
+    throw std::runtime_error("no STL file, or its header is truncated");
+  }
+  std::uintmax_t triangles = 0;
+  for (int byte = 3; byte >= 0; --byte)
+  {
+    triangles = triangles * 256 + static_cast<unsigned char>(header[headerBytes + byte]);
+  }
+  if (fs::file_size(path) < sizeof(header) + triangles * triangleBytes)
+  {
+    throw std::runtime_error("truncated: the header announces " + std::to_string(triangles) +
+      " triangles, more than the file has");
+  }
+}
+
+/// vtkXMLPolyDataReader does not miss what stands behind the data it reads.
+void CheckEndOfVtp(const std::string& path)
+{
+  constexpr std::streamoff longestEnd = 256;
+  std::ifstream stream(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream.tellg();
+  const std::streamoff length = std::min(size, longestEnd);
+  std::string end(static_cast<std::size_t>(std::max<std::streamoff>(length, 0)), ' ');
+  stream.seekg(size - length);
+  stream.read(&end[0], length);
+  if (end.find("</VTKFile>") == std::string::npos)
+  {
+    throw std::runtime_error("truncated, or no VTK file");
+  }
+}
+
+std::string LowerCaseEnding(const std::string& path)
+{
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending.empty() ? ending : ending.substr(1);
+}
+
+vtkSmartPointer<vtkPolyData> ReadByKind(const std::string& path, const std::string& kind)
+{
+  if (kind == "ply")
+  {
+    return ReadPly(path);
+  }
+  if (kind == "obj")
+  {
+    return ReadWith<vtkOBJReader>(path);
+  }
+  if (kind == "stl")
+  {
+    CheckBinaryStl(path);
+    return ReadWith<vtkSTLReader>(path);
+  }
+  CheckEndOfVtp(path);
+  return ReadWith<vtkXMLPolyDataReader>(path);
+}
+
+void CheckCorners(vtkCellArray* cells, vtkIdType numberOfPoints)
+{
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    cell->GetCurrentCell(count, corners);
+    if (std::any_of(corners, corners + count,
+          [numberOfPoints](vtkIdType corner) { return corner < 0 || corner >= numberOfPoints; }))
+    {
+      throw std::runtime_error("damaged: a polygon has a corner that does not exist");
+    }
+  }
+}
+
+void CheckMesh(vtkPolyData* mesh)
+{
+  if (mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0)
+  {
+    throw std::runtime_error("is empty: it has no polygon");
+  }
+  CheckCorners(mesh->GetPolys(), mesh->GetNumberOfPoints());
+  CheckCorners(mesh->GetStrips(), mesh->GetNumberOfPoints());
+}
+
+/// Cells all of whose corners are finite.
+vtkSmartPointer<vtkCellArray> FiniteCells(vtkCellArray* cells, const std::vector<bool>& isFinite)
+{
+  auto kept = vtkSmartPointer<vtkCellArray>::New();
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    cell->GetCurrentCell(count, corners);
+    if (std::all_of(corners, corners + count,
+          [&](vtkIdType corner) { return isFinite[static_cast<std::size_t>(corner)]; }))
+    {
+      kept->InsertNextCell(count, corners);
+    }
+  }
+  return kept;
+}
+
+/// Points that are no numbers would spoil every bounding box: what hangs on them is left out.
+vtkSmartPointer<vtkPolyData> WithFinitePoints(vtkPolyData* mesh)
+{
+  std::vector<bool> isFinite(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  vtkIdType finite = -1;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* p = mesh->GetPoint(i);
+    isFinite[static_cast<std::size_t>(i)] =
+      std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+    finite = isFinite[static_cast<std::size_t>(i)] ? i : finite;
+  }
+  if (std::find(isFinite.begin(), isFinite.end(), false) == isFinite.end())
+  {
+    return mesh;
+  }
+  auto kept = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(mesh->GetPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints() && finite >= 0; ++i)
+  {
+    if (!isFinite[static_cast<std::size_t>(i)])
+    {
+      points->SetPoint(i, mesh->GetPoint(finite));
+    }
+  }
+  kept->SetPoints(points);
+  kept->GetPointData()->ShallowCopy(mesh->GetPointData());
+  kept->SetPolys(FiniteCells(mesh->GetPolys(), isFinite));
+  kept->SetStrips(FiniteCells(mesh->GetStrips(), isFinite));
+  if (kept->GetNumberOfCells() == 0)
+  {
+    throw std::runtime_error("is empty: no polygon has finite corners");
+  }
+  return kept;
+}
+
+vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* mesh)
+{
+  if (mesh->GetPointData()->GetNormals() || mesh->GetCellData()->GetNormals())
+  {
+    return mesh;
+  }
+  constexpr double sharpEdge = 60.0;
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(mesh);
+  normals->SetFeatureAngle(sharpEdge);
+  normals->ConsistencyOff(); // the file's own orientation
+  normals->Update();
+  return normals->GetOutput();
+}
+
+}
+
+//--------------------------------------------------------------------------------------------------
+const std::vector<std::string>& ModelStore::GetKinds()
+{
+  static const std::vector<std::string> kinds = { "ply", "obj", "stl", "vtp" };
+  return kinds;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::string ModelStore::Find(const ModelShape& model, const std::string& sceneFolder) const
+{
+  const fs::path name(model.File);
+  std::vector<fs::path> candidates;
+  if (name.is_absolute())
+  {
+    candidates.push_back(name);
+  }
+  else
+  {
+    candidates.push_back(fs::path(sceneFolder) / name);
+    for (const std::string& folder : this->Folders)
+    {
+      candidates.push_back(fs::path(folder) / name);
+    }
+  }
+  std::string looked;
+  for (const fs::path& candidate : candidates)
+  {
+    std::error_code error;
+    if (fs::is_regular_file(candidate, error))
+    {
+      return candidate.string();
+    }
+    const std::string folder = candidate.parent_path().string();
+    looked += (looked.empty() ? "" : ", ") + (folder.empty() ? "." : folder);
+  }
+  throw SceneError(model.Place, "no such file '" + model.File + "' in " + looked);
+}
+
+//--------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ModelStore::Load(
+  const ModelShape& model, const std::string& sceneFolder)
+{
+  const std::string kind = LowerCaseEnding(model.File);
+  const std::vector<std::string>& kinds = GetKinds();
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+  {
+    throw SceneError(
+      model.Place, "'" + model.File + "' is no model: files of the kinds ply, obj, stl, vtp are");
+  }
+  const std::string path = this->Find(model, sceneFolder);
+  vtkSmartPointer<vtkPolyData>& mesh = this->Meshes[path];
+  if (mesh)
+  {
+    return mesh;
+  }
+  try
+  {
+    const vtkSmartPointer<vtkPolyData> read = ReadByKind(path, kind);
+    CheckMesh(read);
+    mesh = WithNormals(WithFinitePoints(read));
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw SceneError(model.Place, "'" + path + "' does not fit into memory");
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw SceneError(model.Place, "'" + path + "' " + error.what());
+  }
+  return mesh;
+}
+
+}

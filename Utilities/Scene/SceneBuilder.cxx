@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SceneBuilder.h"
+
+#include "CameraClipping.h"
+#include "ShapeMesh.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShadowCasters.h"
+
+#include <algorithm>
+
+namespace softshadows
+{
+namespace
+{
+
+constexpr double AmbientPart = 0.15;
+constexpr double Background[3] = { 0.90, 0.92, 0.95 };
+
+vtkSmartPointer<vtkAreaLight> BuildLight(const LightDescription& description)
+{
+  constexpr double noCone = 90.0;
+  auto light = vtkSmartPointer<vtkAreaLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(!description.Directional);
+  light->SetPosition(description.Position.data());
+  light->SetFocalPoint(description.FocalPoint.data());
+  if (description.ViewUp)
+  {
+    light->SetViewUp(description.ViewUp->data());
+  }
+  switch (description.Shape)
+  {
+    case LightShape::Rectangle:
+      light->SetShapeToRectangle();
+      break;
+    case LightShape::Disk:
+      light->SetShapeToDisk();
+      break;
+    case LightShape::Point:
+      light->SetShapeToPoint();
+      break;
+  }
+  light->SetSize(description.Size.data());
+  light->SetAngularDiameter(description.AngularDiameter);
+  light->SetConeAngle(std::min(description.ConeAngle, noCone));
+  light->SetExponent(0.0); // as bright at the cone's edge as in its middle
+  light->SetColor(description.Color[0], description.Color[1], description.Color[2]);
+  light->SetIntensity(description.Intensity);
+  return light;
+}
+
+vtkSmartPointer<vtkActor> BuildActor(
+  const ObjectDescription& object, const std::string& sceneFolder, ModelStore& models)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeMesh(object.Shape, sceneFolder, models));
+  mapper->ScalarVisibilityOff(); // the object's colour, not the file's
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(object.Matrix.data());
+
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  if (!matrix->IsIdentity())
+  {
+    actor->SetUserMatrix(matrix);
+  }
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(object.Color[0], object.Color[1], object.Color[2]);
+  property->SetAmbient(AmbientPart);
+  property->SetDiffuse(1.0 - AmbientPart);
+  if (!object.CastShadow)
+  {
+    vtkShadowCasters::SetCastsShadow(actor, false);
+  }
+  if (!object.ReceiveShadow)
+  {
+    vtkShadowCasters::SetReceivesShadow(actor, false);
+  }
+  return actor;
+}
+
+vtkSmartPointer<vtkCamera> BuildCamera(const CameraDescription& description)
+{
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetPosition(description.Position.data());
+  camera->SetFocalPoint(description.FocalPoint.data());
+  camera->SetViewUp(description.ViewUp.data());
+  camera->SetViewAngle(description.ViewAngle);
+  if (description.ParallelScale)
+  {
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(*description.ParallelScale);
+  }
+  return camera;
+}
+
+}
+
+//--------------------------------------------------------------------------------------------------
+BuiltScene BuildScene(const SceneDescription& scene, ModelStore& models)
+{
+  BuiltScene built;
+  built.Renderer = vtkSmartPointer<vtkRenderer>::New();
+  built.Renderer->SetBackground(Background[0], Background[1], Background[2]);
+  built.Renderer->AutomaticLightCreationOff();
+  built.Renderer->LightFollowCameraOff();
+  for (const LightDescription& light : scene.Lights)
+  {
+    built.Lights.push_back(BuildLight(light));
+    built.Renderer->AddLight(built.Lights.back());
+  }
+  for (const ObjectDescription& object : scene.Objects)
+  {
+    built.Actors.push_back(BuildActor(object, scene.Folder, models));
+    built.Renderer->AddActor(built.Actors.back());
+  }
+  if (scene.Camera)
+  {
+    built.Renderer->SetActiveCamera(BuildCamera(*scene.Camera));
+  }
+  else
+  {
+    built.Renderer->ResetCamera();
+  }
+  FitClippingRange(built.Renderer->GetActiveCamera(), built.Actors,
+    static_cast<double>(scene.Width) / scene.Height);
+  return built;
+}
+
+}
