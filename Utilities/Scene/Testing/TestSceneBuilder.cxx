@@ -181,9 +181,9 @@ TEST(SceneBuilder, NamesTheModelThatIsMissing)
 
 TEST(SceneBuilder, BuildsCameras)
 {
-  vtkCamera* camera = Build(R"({"version": 1, "camera": {"position": [0, -4, 2],
-    "focal_point": [0, 0, 1], "view_up": [0, 0, 1], "view_angle": 45}})")
-                        .Renderer->GetActiveCamera();
+  const BuiltScene perspective = Build(R"({"version": 1, "camera": {"position": [0, -4, 2],
+    "focal_point": [0, 0, 1], "view_up": [0, 0, 1], "view_angle": 45}})");
+  vtkCamera* camera = perspective.Renderer->GetActiveCamera();
   EXPECT_EQ(camera->GetPosition()[1], -4.0);
   EXPECT_EQ(camera->GetFocalPoint()[2], 1.0);
   EXPECT_EQ(camera->GetViewUp()[2], 1.0);
