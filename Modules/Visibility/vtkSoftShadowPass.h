@@ -70,6 +70,9 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
   int Layer = 0;
   /// A pyramid over Maps if the technique wants one.
   vtkShadowDepthPyramid* Pyramid = nullptr;
+  /// The depth renderbuffer of the bound framebuffer, the viewport's size: steps before the last,
+  /// drawn at depth 0.5 with GL_LESS, touch with it only the pixels that the last step will filter.
+  unsigned int Marks = 0;
 };
 
 class VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowPass : public vtkOpenGLRenderPass
@@ -228,6 +231,13 @@ protected:
 
   /// Adds to the counts of maps and texels.
   void CountBakes(int maps);
+
+  /**
+   * Times what follows under this name (a literal) in the statistics' milliseconds; repeated names
+   * add up. What AddVisibility does before its first step, and a technique that names none, counts
+   * as "visibility".
+   */
+  void BeginStep(const char* name);
 
   /// For counts that techniques add to.
   vtkSoftShadowStatistics& ChangeStatistics();

@@ -69,6 +69,7 @@ void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s)
   context.Casters = impl.Casters;
   context.Fitter = &fitter;
   context.Receivers = impl.Receivers;
+  context.Marks = impl.Target.GetMarks();
   impl.UsedQueries = 0;
   for (size_t i = 0; i < impl.Lights.size() && impl.Target.GetTexture()->GetHandle(); ++i)
   {
@@ -85,6 +86,7 @@ void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s)
 void vtkSoftShadowPass::EstimateLight(vtkSoftShadowContext& context, int layer)
 {
   Internals& impl = *this->Impl;
+  impl.Timers.BeginStep("visibility");
   vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
   impl.Target.BeginLight(context.Window, layer);
   context.Part = 0;
@@ -137,6 +139,12 @@ void vtkSoftShadowPass::EstimatePart(
     this->CountBakes(baked);
   }
   this->AddVisibility(context);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::BeginStep(const char* name)
+{
+  this->Impl->Timers.BeginStep(name);
 }
 
 //------------------------------------------------------------------------------

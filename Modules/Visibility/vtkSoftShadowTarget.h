@@ -43,6 +43,8 @@ public:
   void BeginFilter(vtkOpenGLRenderWindow* window);
 
   vtkShadowTextureArray* GetTexture() { return this->Texture; }
+  /// The OpenGL name of the depth renderbuffer that holds the marks.
+  unsigned int GetMarks() const { return this->DepthBuffer; }
   vtkTypeInt64 GetBytes() const;
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -32,13 +32,23 @@ const std::vector<std::pair<std::string, double>>& vtkSoftShadowTimers::Collect(
   if (this->Pending && this->IsReady())
   {
     this->Pending = false;
-    this->Milliseconds.resize(this->Used);
+    this->Milliseconds.clear();
     for (size_t i = 0; i < this->Used; ++i)
     {
       // A software rasteriser may do a step's work on the CPU before its queries see any.
-      this->Milliseconds[i].first = this->Steps[i].Name;
-      this->Milliseconds[i].second = std::max<double>(
+      const double milliseconds = std::max<double>(
         this->Steps[i].Timer->GetElapsedMilliseconds(), this->Steps[i].CpuMilliseconds);
+      const std::string name = this->Steps[i].Name;
+      auto entry = std::find_if(this->Milliseconds.begin(), this->Milliseconds.end(),
+        [&name](const std::pair<std::string, double>& step) { return step.first == name; });
+      if (entry == this->Milliseconds.end())
+      {
+        this->Milliseconds.emplace_back(name, milliseconds);
+      }
+      else
+      {
+        entry->second += milliseconds;
+      }
     }
   }
   return this->Milliseconds;

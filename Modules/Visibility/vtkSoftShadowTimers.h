@@ -35,7 +35,7 @@ public:
   void BeginStep(const char* name);
   void EndFrame();
 
-  /// Name and milliseconds of each step of the last frame that has come back.
+  /// Name and milliseconds of each step of the last frame that has come back; repeated names add up.
   const std::vector<std::pair<std::string, double>>& Collect();
 
   void ReleaseGraphicsResources();
