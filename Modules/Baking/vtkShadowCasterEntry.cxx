@@ -110,8 +110,10 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Place(
   const bool hadBody = this->HasBody;
   const vtkShadowCasters::Body old = this->Body;
   this->HasBody = this->FindBody(origin, scratch);
-  change.Bodies = hadBody != this->HasBody || old.Bounds != this->Body.Bounds ||
-    old.Flat != this->Body.Flat || (old.Flat && old.Corners != this->Body.Corners);
+  // What only receives has no copy to compare with.
+  change.Bodies = !this->Body.Casts || hadBody != this->HasBody ||
+    old.Bounds != this->Body.Bounds || old.Flat != this->Body.Flat ||
+    (old.Flat && old.Corners != this->Body.Corners);
   if (this->DrawsFromBuffer())
   {
     change.Casters = this->Write(buffer, scratch).Casters;

@@ -27,6 +27,8 @@
 #define SOFTSHADOWS_HAS_COMPOSITE_MAPPER_2
 #endif
 #include "vtkOpenGLSphereMapper.h"
+#include "vtkOpenGLStickMapper.h"
+#include "vtkPoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -207,6 +209,48 @@ private:
   vtkShadowCasterSource& Source;
 };
 
+// Imposters are larger than the points they stand for; VTK's bounds are the points', if even that.
+struct SphereAccess : public vtkOpenGLSphereMapper
+{
+  static const char* Scales(vtkOpenGLSphereMapper* mapper)
+  {
+    return mapper->*(&SphereAccess::ScaleArray);
+  }
+};
+
+struct StickAccess : public vtkOpenGLStickMapper
+{
+  static const char* Scales(vtkOpenGLStickMapper* mapper)
+  {
+    return mapper->*(&StickAccess::ScaleArray);
+  }
+};
+
+// The largest reach of an imposter around its point, 0 for mappers that draw no imposters.
+double GetImposterReach(vtkMapper* mapper, vtkPolyData* data)
+{
+  auto* sphere = vtkOpenGLSphereMapper::SafeDownCast(mapper);
+  auto* stick = vtkOpenGLStickMapper::SafeDownCast(mapper);
+  if (!sphere && !stick)
+  {
+    return 0.0;
+  }
+  const char* name = sphere ? SphereAccess::Scales(sphere) : StickAccess::Scales(stick);
+  vtkDataArray* scales = name ? data->GetPointData()->GetArray(name) : nullptr;
+  if (!scales)
+  {
+    return sphere ? sphere->GetRadius() : 1.0;
+  }
+  double reach = 0.0;
+  for (int component = 0; component < scales->GetNumberOfComponents(); ++component)
+  {
+    double range[2];
+    scales->GetRange(range, component);
+    reach = std::max({ reach, std::abs(range[0]), std::abs(range[1]) });
+  }
+  return reach;
+}
+
 void MixLook(std::uint64_t& signature, vtkActor* actor)
 {
   Mix(signature, actor->GetMapper());
@@ -278,13 +322,32 @@ void vtkShadowCasterSource::Inspect(vtkProp3D* prop)
 bool vtkShadowCasterSource::GetModelBounds(vtkProp3D* prop, double bounds[6])
 {
   auto* actor = vtkActor::SafeDownCast(prop);
-  const double* found = actor && actor->GetMapper() ? actor->GetMapper()->GetBounds() : nullptr;
-  if (!found || !vtkMath::AreBoundsInitialized(found))
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper)
   {
     return false;
   }
-  std::copy_n(found, 6, bounds);
-  return std::all_of(bounds, bounds + 6, [](double b) { return std::isfinite(b); });
+  auto* data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  const double reach = data ? GetImposterReach(mapper, data) : 0.0;
+  if (reach > 0.0 && data->GetPoints())
+  {
+    data->GetPoints()->GetBounds(bounds);
+    for (int i = 0; i < 6; ++i)
+    {
+      bounds[i] += i % 2 == 0 ? -reach : reach;
+    }
+  }
+  else
+  {
+    const double* found = mapper->GetBounds();
+    if (!found)
+    {
+      return false;
+    }
+    std::copy_n(found, 6, bounds);
+  }
+  return vtkMath::AreBoundsInitialized(bounds) &&
+    std::all_of(bounds, bounds + 6, [](double b) { return std::isfinite(b); });
 }
 
 VTK_ABI_NAMESPACE_END
