@@ -37,6 +37,12 @@ public:
   vtkShadowCasters::Body Body;
   bool HasBody = false;
 
+  /**
+   * Whether anything that receives lies on the negative and on the positive side of a flat body. Both
+   * for any other.
+   */
+  std::array<bool, 2> HasReceivers{ { true, true } };
+
   /// Takes over what the prop is now. Geometry is rebuilt if the prop's shape changed.
   Change Refresh(const vtkShadowCasterSource& source, const std::array<double, 16>& matrix,
     bool casts, bool receives);

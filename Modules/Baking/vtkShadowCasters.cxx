@@ -22,10 +22,12 @@
 #include "vtkShadowCasterProgram.h"
 #include "vtkShadowMapView.h"
 #include "vtkShadowMapperCasters.h"
+#include "vtkShadowSides.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkShadowCasters);
@@ -87,6 +89,38 @@ struct CullingPlanes
 
   std::array<std::array<double, 4>, 5> Planes;
 };
+
+// What a view's map shows.
+class DrawTest
+{
+public:
+  explicit DrawTest(const vtkShadowMapView& view)
+    : View(view)
+    , Planes(view.WorldToClip())
+  {
+  }
+
+  bool operator()(const vtkShadowCasterEntry& entry) const
+  {
+    return entry.HasBody && entry.Body.Casts && !this->Planes.Excludes(entry.Body.Bounds) &&
+      this->IsEffective(entry);
+  }
+
+private:
+  bool IsEffective(const vtkShadowCasterEntry& entry) const
+  {
+    if (entry.HasReceivers[0] && entry.HasReceivers[1])
+    {
+      return true;
+    }
+    const int side = vtkShadowSides::OfEmitter(entry.Body, this->View.Emitter);
+    return side == 0 ? entry.HasReceivers[0] || entry.HasReceivers[1]
+                     : entry.HasReceivers[side > 0 ? 0 : 1];
+  }
+
+  const vtkShadowMapView& View;
+  CullingPlanes Planes;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -107,6 +141,7 @@ public:
 
   bool CastersChanged = false;
   bool BodiesChanged = false;
+  bool MustCollect = false; // at the next Update, whatever it finds
 
   void Note(const vtkShadowCasterEntry::Change& change)
   {
@@ -121,6 +156,8 @@ public:
   void PlaceEntries();
   bool MoveOrigin();
   void CollectBodies();
+  void FindReceiversOfPlanes();
+  bool HasReceivers(const vtkShadowCasters::Body& plane, int lightSide, const Body& all) const;
 };
 
 //------------------------------------------------------------------------------
@@ -273,6 +310,44 @@ void vtkShadowCasters::Internals::CollectBodies()
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowCasters::Internals::HasReceivers(
+  const vtkShadowCasters::Body& plane, int lightSide, const Body& all) const
+{
+  return vtkShadowSides::ReachesBehind(plane, lightSide, all) &&
+    std::any_of(this->Bodies.begin(), this->Bodies.end(),
+      [&plane, lightSide](const vtkShadowCasters::Body& body)
+      { return body.Receives && vtkShadowSides::ReachesBehind(plane, lightSide, body); });
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasters::Internals::FindReceiversOfPlanes()
+{
+  // The box of all spares most planes the walk over all bodies.
+  Body all;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  all.Bounds = { { infinity, -infinity, infinity, -infinity, infinity, -infinity } };
+  for (const Body& body : this->Bodies)
+  {
+    for (int i = 0; i < 6; i += 2)
+    {
+      all.Bounds[i] = std::min(all.Bounds[i], body.Bounds[i]);
+      all.Bounds[i + 1] = std::max(all.Bounds[i + 1], body.Bounds[i + 1]);
+    }
+  }
+  for (vtkShadowCasterEntry& entry : this->Entries)
+  {
+    std::array<bool, 2> receivers{ { true, true } };
+    if (entry.HasBody && entry.Body.Casts && entry.Body.Flat)
+    {
+      receivers = { { this->HasReceivers(entry.Body, 1, all),
+        this->HasReceivers(entry.Body, -1, all) } };
+    }
+    this->CastersChanged = this->CastersChanged || receivers != entry.HasReceivers;
+    entry.HasReceivers = receivers;
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkShadowCasters::vtkShadowCasters()
   : Impl(new Internals)
 {
@@ -306,12 +381,32 @@ bool vtkShadowCasters::GetReceivesShadow(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowCasters::SetEffectiveOnly(bool effectiveOnly)
+{
+  if (this->EffectiveOnly != effectiveOnly)
+  {
+    this->EffectiveOnly = effectiveOnly;
+    this->Impl->MustCollect = true;
+    for (vtkShadowCasterEntry& entry : this->Impl->Entries)
+    {
+      entry.HasReceivers = { { true, true } };
+    }
+    // What casts may differ from what the maps show.
+    vtkTimeStamp stamp;
+    stamp.Modified();
+    this->CastersTime = stamp.GetMTime();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkShadowCasters::Update(vtkRenderer* renderer)
 {
   Internals& impl = *this->Impl;
   impl.Cursor = 0;
   impl.CastersChanged = false;
-  impl.BodiesChanged = false;
+  impl.BodiesChanged = impl.MustCollect;
+  impl.MustCollect = false;
 
   vtkCollectionSimpleIterator iterator;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -339,6 +434,10 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   if (impl.BodiesChanged)
   {
     impl.CollectBodies();
+    if (this->EffectiveOnly)
+    {
+      impl.FindReceiversOfPlanes();
+    }
   }
   if (!impl.BodiesChanged && !impl.CastersChanged)
   {
@@ -400,12 +499,12 @@ int vtkShadowCasters::Draw(
 {
   Internals& impl = *this->Impl;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const CullingPlanes planes(view.WorldToClip());
+  const DrawTest test(view);
   impl.Buffer.Begin();
   bool mappers = false;
   for (const vtkShadowCasterEntry& entry : impl.Entries)
   {
-    if (entry.HasBody && entry.Body.Casts && !planes.Excludes(entry.Body.Bounds))
+    if (test(entry))
     {
       mappers = mappers || entry.DrawsThroughMapper();
       impl.Buffer.Add(entry.GetRange());
@@ -425,7 +524,7 @@ int vtkShadowCasters::Draw(
   vtkShadowMapperCasters drawer(renderer, impl.Camera, view);
   for (const vtkShadowCasterEntry& entry : impl.Entries)
   {
-    if (entry.DrawsThroughMapper() && !planes.Excludes(entry.Body.Bounds))
+    if (entry.DrawsThroughMapper() && test(entry))
     {
       impl.Matrix->DeepCopy(entry.Matrix.data());
       drawer.Draw(entry.Prop, entry.IsLeaf ? impl.Matrix.GetPointer() : nullptr);

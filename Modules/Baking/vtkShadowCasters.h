@@ -58,6 +58,17 @@ public:
    */
   bool Update(vtkRenderer* renderer);
 
+  ///@{
+  /**
+   * Leave out flat casters behind which, seen from the whole emitter, nothing lies that receives: a
+   * ground plane throws no shadow. Its texels stay empty, which proves what is on it lit where
+   * nothing else is. Default is on.
+   */
+  void SetEffectiveOnly(bool effectiveOnly);
+  vtkGetMacro(EffectiveOnly, bool);
+  vtkBooleanMacro(EffectiveOnly, bool);
+  ///@}
+
   /// Grows whenever Update finds a change in what casts; depth maps are valid for one value of it.
   vtkGetMacro(CastersTime, vtkMTimeType);
 
@@ -91,7 +102,7 @@ public:
   ///@}
 
   /**
-   * Draws all casters whose boxes touch the view's frustum into the framebuffer and viewport that are
+   * Draws the casters (see EffectiveOnly) whose boxes touch the view's frustum into the framebuffer and viewport that are
    * bound now, depth only (depth test on, colour writes off, both sides of every triangle, depth
    * clamped to the view's range so that nothing in front of Near is lost). With conservative, every
    * texel that a triangle touches gets the least depth the triangle's plane has within the texel
@@ -106,6 +117,7 @@ protected:
   vtkShadowCasters();
   ~vtkShadowCasters() override;
 
+  bool EffectiveOnly = true;
   vtkMTimeType CastersTime = 0;
   vtkMTimeType BodiesTime = 0;
 

@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkShadowProjection.h"
+#include "vtkShadowSides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,6 @@ constexpr double FACE_TANGENT = 1.05;                  // of a cube's face, with
 constexpr double NEAREST = 1e-3;                       // of the far distance
 constexpr double MARGIN = 1.0 / 30.0 + 1e-6;           // (1 + 2 m) / 32 <= m
 constexpr double DEPTH_MARGIN = 0.01;                  // of the depth
-constexpr double BEHIND_TOLERANCE = 1e-5;              // of a receiver's size
 constexpr double THINNEST = 1e-3;                      // of a window's longer edge
 
 Window Intersect(const Window& a, const Window& b)
@@ -63,54 +63,6 @@ void Unite(Part& whole, const Part& part)
 bool IsItsOwnReceiver(const Body& body)
 {
   return !body.Flat && body.Receives;
-}
-
-// Which side of a flat body all of the emitter is on: 1 or -1 along its normal, 0 if it is on both.
-int SideOfEmitter(const Body& body, const vtkShadowEmitter& emitter)
-{
-  const double along = vtkMath::Dot(body.Normal.data(), emitter.Direction.data());
-  const double spread =
-    std::abs(vtkMath::Dot(body.Normal.data(), emitter.AxisU.data())) * emitter.HalfSize[0] +
-    std::abs(vtkMath::Dot(body.Normal.data(), emitter.AxisV.data())) * emitter.HalfSize[1];
-  const double distance = emitter.Directional
-    ? -along
-    : vtkMath::Dot(body.Normal.data(), emitter.Center.data()) - body.Offset;
-  return distance >= spread ? 1 : (distance <= -spread ? -1 : 0);
-}
-
-// Some of the receiver is on the plane's other side than the emitter.
-bool ReachesBehind(const Body& plane, int side, const Body& receiver)
-{
-  if (side == 0)
-  {
-    return true;
-  }
-  double size = 0.0;
-  double deepest = std::numeric_limits<double>::infinity();
-  if (receiver.Flat)
-  {
-    size = std::sqrt(
-      vtkMath::Distance2BetweenPoints(receiver.Corners[0].data(), receiver.Corners[2].data()));
-    for (const auto& corner : receiver.Corners)
-    {
-      deepest =
-        std::min(deepest, side * (vtkMath::Dot(plane.Normal.data(), corner.data()) - plane.Offset));
-    }
-  }
-  else
-  {
-    deepest = -side * plane.Offset;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double low = receiver.Bounds[2 * i];
-      const double high = receiver.Bounds[2 * i + 1];
-      const double slope = side * plane.Normal[i];
-      deepest += std::min(slope * low, slope * high);
-      size += (high - low) * (high - low);
-    }
-    size = std::sqrt(size);
-  }
-  return deepest < -BEHIND_TOLERANCE * size;
 }
 
 // The part of one depth map's work: an emitter and what it sees of the bodies.
@@ -165,13 +117,14 @@ private:
   {
     const Body& caster = this->Bodies[index];
     const Part& part = this->Parts[index];
-    const int side = caster.Flat ? SideOfEmitter(caster, this->Emitter) : 0;
+    const int side = caster.Flat ? vtkShadowSides::OfEmitter(caster, this->Emitter) : 0;
     Part shadowing;
     for (std::size_t i = 0; i < this->Bodies.size(); ++i)
     {
       const Part& behind = this->Parts[i];
       if (i == index || !this->Bodies[i].Receives || behind.Empty ||
-        behind.Farthest <= part.Nearest || !ReachesBehind(caster, side, this->Bodies[i]))
+        behind.Farthest <= part.Nearest ||
+        !vtkShadowSides::ReachesBehind(caster, side, this->Bodies[i]))
       {
         continue;
       }

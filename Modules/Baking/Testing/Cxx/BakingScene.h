@@ -30,6 +30,7 @@ public:
   BakingScene()
     : Window(16, 16)
   {
+    this->Casters->EffectiveOnlyOff(); // depths of whatever a test likes to see
     this->Window.Add(this->Renderer);
     this->Window.Render();
   }

@@ -398,3 +398,46 @@ TEST(ShadowCasters, FlatBodiesHaveTheirTrueCorners)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+TEST(ShadowCasters, PlanesThatShadowNothingAreLeftOut)
+{
+  BakingScene scene;
+  scene.Casters->EffectiveOnlyOn();
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-2.0, -2.0, 0.0);
+  plane->SetPoint1(2.0, -2.0, 0.0);
+  plane->SetPoint2(-2.0, 2.0, 0.0);
+  scene.AddActor(plane);
+  auto box = MakeActor(MakeBox(-0.5, 0.5, -0.5, 0.5, 0.5)); // from 0 to 0.5
+  scene.Renderer->AddActor(box);
+  {
+    const Heights heights(scene);
+    EXPECT_NEAR(heights.At(0.0, 0.0), 0.5, 1e-5);
+    EXPECT_TRUE(heights.IsEmptyAt(1.5, 1.5));
+  }
+  box->SetPosition(0.0, 0.0, -0.1);
+  EXPECT_NEAR(Heights(scene).At(1.5, 1.5), 0.0, 1e-5) << "the box dips into the plane";
+  vtkShadowCasters::SetReceivesShadow(box, false);
+  EXPECT_TRUE(Heights(scene).IsEmptyAt(1.5, 1.5)) << "and receives nothing";
+  scene.Casters->EffectiveOnlyOff();
+  EXPECT_NEAR(Heights(scene).At(1.5, 1.5), 0.0, 1e-5) << "everything is asked for";
+  scene.Casters->EffectiveOnlyOn();
+  vtkShadowCasters::SetReceivesShadow(box, true);
+  box->SetPosition(0.0, 0.0, 0.0);
+  EXPECT_TRUE(Heights(scene).IsEmptyAt(1.5, 1.5));
+
+  // From below the plane does shadow the box.
+  vtkShadowMapView below = MakeView();
+  below.Emitter = MakeDownwardEmitter(0.0, 0.0, -5.0, true);
+  below.Emitter.Direction[2] = 1.0;
+  below.Emitter.AxisU[0] = -1.0;
+  EXPECT_LT(scene.BakeDepths(below, RESOLUTION)[0], 1.0f);
+  // A light that is on both sides of it shines on the box through no plane.
+  below.Emitter.Direction = { { 1.0, 0.0, 0.0 } };
+  below.Emitter.AxisU = { { 0.0, -1.0, 0.0 } };
+  below.Emitter.AxisV = { { 0.0, 0.0, 1.0 } };
+  below.Emitter.HalfSize = { { 0.1, 0.1 } };
+  below.Emitter.Center = { { -5.0, 0.0, 0.0 } };
+  EXPECT_EQ(scene.Bake({ below }, RESOLUTION), 1);
+}
