@@ -57,10 +57,15 @@ float receiverDepth(MapPoint point, vec2 st)
   return point.std.z + dot(point.gradient, st - point.std.xy) - point.bias;
 }
 
+// An empty texel: nothing blocks there, however far behind the map's far plane the receiver is.
+const float emptyDepth = 1.0;
+const float infinitelyFar = 1e30;
+
 // The map's depth; beyond its border nothing blocks.
 float mapDepth(vec2 st, float layer)
 {
-  return textureLod(depthMaps, vec3(st, layer), 0.0).r;
+  float depth = textureLod(depthMaps, vec3(st, layer), 0.0).r;
+  return depth < emptyDepth ? depth : infinitelyFar;
 }
 
 bool isBlocked(MapPoint point, vec2 st, float layer)

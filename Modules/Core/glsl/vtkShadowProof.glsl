@@ -40,8 +40,8 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
       vec2 to = min(vec2(x + 1, y + 1) * span, high) + texel;
       float middle = receiverDepth(point, 0.5 * (from + to));
       float reach = dot(abs(point.gradient), 0.5 * (to - from));
-      range.anyBlocker = range.anyBlocker || depths.x < middle + reach;
-      range.allBlockers = range.allBlockers && depths.y < middle - reach;
+      range.anyBlocker = range.anyBlocker || depths.x < min(middle + reach, emptyDepth);
+      range.allBlockers = range.allBlockers && depths.y < min(middle - reach, emptyDepth);
       range.nearest = min(range.nearest, depths.x);
     }
   }
