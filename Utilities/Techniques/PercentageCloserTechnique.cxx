@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TechniqueOptions.h"
+
+#include "vtkNew.h"
+#include "vtkPercentageCloserSoftShadowPass.h"
+
+namespace softshadows
+{
+
+Technique MakePercentageCloserTechnique()
+{
+  vtkNew<vtkPercentageCloserSoftShadowPass> owner;
+  vtkPercentageCloserSoftShadowPass* pass = owner;
+  Technique technique = MakeTechnique(
+    "pcss", "percentage-closer soft shadows: one depth map, a filter per pixel", pass);
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, SearchWidth, "search_width", "taps along an edge of the search for blockers"));
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, FilterWidth, "filter_width", "taps along an edge of the filter"));
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
+    pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
+  return technique;
+}
+
+}

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Technique.h"
+
+#include "TechniqueOptions.h"
+
+#include "Suggestion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+namespace softshadows
+{
+namespace
+{
+
+std::string SpellNumber(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// The place of the text among the choices, or -1.
+int PlaceOf(const std::vector<std::string>& choices, const std::string& text)
+{
+  const auto found = std::find(choices.begin(), choices.end(), text);
+  return found == choices.end() ? -1 : static_cast<int>(found - choices.begin());
+}
+
+}
+
+//--------------------------------------------------------------------------------------------------
+double TechniqueOption::Parse(const std::string& text) const
+{
+  const std::string refused =
+    "option '" + this->Name + "': must be " + this->SpellRange() + ", is '" + text + "'";
+  if (this->Is == Kind::Flag || this->Is == Kind::Choice)
+  {
+    const int place = PlaceOf(this->Choices, text);
+    const int flag = std::max(PlaceOf({ "false", "true" }, text), PlaceOf({ "0", "1" }, text));
+    if (place < 0 && (flag < 0 || this->Is != Kind::Flag))
+    {
+      throw std::runtime_error(refused);
+    }
+    return std::max(place, this->Is == Kind::Flag ? flag : -1);
+  }
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool isWhole = end != text.c_str() && *end == '\0';
+  // Written so that nan is refused.
+  if (!isWhole || !(value >= this->Least && value <= this->Most) ||
+    (this->Is == Kind::Integer && value != std::floor(value)))
+  {
+    throw std::runtime_error(refused);
+  }
+  return value;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::string TechniqueOption::Spell(double value) const
+{
+  const auto place = static_cast<std::size_t>(value);
+  return place < this->Choices.size() ? this->Choices[place] : SpellNumber(value);
+}
+
+//--------------------------------------------------------------------------------------------------
+std::string TechniqueOption::SpellRange() const
+{
+  if (this->Choices.empty())
+  {
+    return (this->Is == Kind::Integer ? "a whole number from " : "a number from ") +
+      SpellNumber(this->Least) + " to " + SpellNumber(this->Most);
+  }
+  std::string text;
+  for (const std::string& choice : this->Choices)
+  {
+    text += (text.empty() ? "" : " or ") + choice;
+  }
+  return text;
+}
+
+//--------------------------------------------------------------------------------------------------
+const TechniqueOption& Technique::FindOption(const std::string& name) const
+{
+  std::vector<std::string> known;
+  for (const TechniqueOption& option : this->Options)
+  {
+    if (option.Name == name)
+    {
+      return option;
+    }
+    known.push_back(option.Name);
+  }
+  throw std::runtime_error(
+    "technique '" + this->Name + "' has no option '" + name + "'; " + DidYouMean(name, known));
+}
+
+//--------------------------------------------------------------------------------------------------
+const Technique& FindTechnique(const std::string& name)
+{
+  std::vector<std::string> known;
+  for (const Technique& technique : GetTechniques())
+  {
+    if (technique.Name == name)
+    {
+      return technique;
+    }
+    known.push_back(technique.Name);
+  }
+  throw std::runtime_error("there is no technique '" + name + "'; " + DidYouMean(name, known));
+}
+
+//--------------------------------------------------------------------------------------------------
+std::pair<std::string, std::string> SplitOption(const std::string& text)
+{
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+  {
+    throw std::runtime_error("option '" + text + "' is not of the form NAME=VALUE");
+  }
+  return { text.substr(0, equals), text.substr(equals + 1) };
+}
+
+//--------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkSoftShadowPass> CreatePass(
+  const Technique& technique, const OptionTexts& options)
+{
+  vtkSmartPointer<vtkSoftShadowPass> pass = technique.Create();
+  for (const auto& [name, text] : options)
+  {
+    const TechniqueOption& option = technique.FindOption(name);
+    option.Set(pass, option.Parse(text));
+  }
+  return pass;
+}
+
+//--------------------------------------------------------------------------------------------------
+void PrintTechniques(std::ostream& os)
+{
+  for (const Technique& technique : GetTechniques())
+  {
+    os << technique.Name << "  " << technique.Meaning << '\n';
+    const vtkSmartPointer<vtkSoftShadowPass> pass = technique.Create();
+    for (const TechniqueOption& option : technique.Options)
+    {
+      os << "    " << option.Name << "=" << option.Spell(option.Get(pass)) << "  ("
+         << option.SpellRange() << ")\n        " << option.Meaning << '\n';
+    }
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void AddCommonOptions(Technique& technique, vtkSoftShadowPass* pass)
+{
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, MapSize, "map_size", "texels along an edge of every depth map"));
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, Split, "split", "parts along an edge of every light, each with a depth map of its own"));
+  technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, EarlyOut, "early_out",
+    "prove pixels lit or blocked before filtering them; the result is the same"));
+}
+
+}

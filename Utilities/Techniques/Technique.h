@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Techniques and their options by name: one table for the tool, the tests and the benchmark.
+ */
+
+#ifndef Technique_h
+#define Technique_h
+
+#include "vtkSmartPointer.h"
+#include "vtkSoftShadowPass.h"
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace softshadows
+{
+
+/// A property of a pass that can be set by name.
+struct TechniqueOption
+{
+  enum class Kind
+  {
+    Integer,
+    Number,
+    Flag,  ///< on or off
+    Choice ///< one of several names
+  };
+
+  std::string Name;
+  Kind Is = Kind::Integer;
+  std::string Meaning; ///< A line for the user, with units.
+  double Least = 0.0;  ///< Of integers and numbers.
+  double Most = 0.0;
+  std::vector<std::string> Choices; ///< Of flags and choices, in the order of their values.
+  ///@{
+  /// The value in the pass: a number, or the place among the choices.
+  std::function<void(vtkSoftShadowPass*, double)> Set;
+  std::function<double(vtkSoftShadowPass*)> Get;
+  ///@}
+
+  /// The value that the text means. Throws std::runtime_error that names the option and its range.
+  double Parse(const std::string& text) const;
+
+  /// A value as Parse reads it.
+  std::string Spell(double value) const;
+
+  /// "1 to 4096", "mean or gaussian"
+  std::string SpellRange() const;
+};
+
+struct Technique
+{
+  std::string Name;
+  std::string Meaning; ///< A line for the user.
+  std::function<vtkSmartPointer<vtkSoftShadowPass>()> Create;
+  std::vector<TechniqueOption> Options;
+
+  /// Throws std::runtime_error that names the nearest and lists all.
+  const TechniqueOption& FindOption(const std::string& name) const;
+};
+
+/// All techniques there are, the simplest first.
+const std::vector<Technique>& GetTechniques();
+
+/// Throws std::runtime_error that names the nearest and lists all.
+const Technique& FindTechnique(const std::string& name);
+
+/// A name and a text for each option to be set.
+using OptionTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// Cuts NAME=VALUE. Throws std::runtime_error for texts of another form.
+std::pair<std::string, std::string> SplitOption(const std::string& text);
+
+/**
+ * A pass of the technique with options set, those not named as the pass has them by default. Throws
+ * std::runtime_error for unknown options and values out of range, which no pass ever sees.
+ */
+vtkSmartPointer<vtkSoftShadowPass> CreatePass(
+  const Technique& technique, const OptionTexts& options);
+
+/// One line per technique that starts with its name, its options below, indented.
+void PrintTechniques(std::ostream& os);
+
+}
+
+#endif

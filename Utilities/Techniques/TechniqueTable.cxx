@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Technique.h"
+
+namespace softshadows
+{
+
+// A technique is one file with one such function, and its name in the table below.
+Technique MakeSampledTechnique();
+Technique MakePercentageCloserTechnique();
+
+//--------------------------------------------------------------------------------------------------
+const std::vector<Technique>& GetTechniques()
+{
+  static const std::vector<Technique> techniques = {
+    MakeSampledTechnique(),
+    MakePercentageCloserTechnique(),
+  };
+  return techniques;
+}
+
+}
