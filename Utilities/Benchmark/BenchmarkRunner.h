@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   BenchmarkRunner
+ * @brief   Runs scenes x contestants: errors against the ray-traced reference, then times.
+ *
+ * In each scene all contestants are made and judged first. Then rounds of frames are timed: every
+ * round draws a frame of each contestant and each motion, so that whatever slows the machine for a
+ * while hits all alike. A contestant that has used up its seconds sits out the remaining rounds.
+ */
+
+#ifndef SoftShadowsBenchmark_BenchmarkRunner_h
+#define SoftShadowsBenchmark_BenchmarkRunner_h
+
+#include "Contestant.h"
+#include "ReferenceCache.h"
+
+#include <functional> // For the progress callback
+#include <string>     // For names
+
+namespace softshadows
+{
+
+struct BenchmarkSettings
+{
+  /// Rounds of timed frames, after two frames to warm up.
+  int Rounds = 9;
+  /// Time that one contestant may use for one scene, in seconds; one frame per motion is always run.
+  double SecondsPerContestant = 20.0;
+  int ReferenceSamplesPerAxis = 48;
+  /// Where references are kept; empty: nowhere.
+  std::string CacheFolder;
+  bool Pictures = true;
+};
+
+/// A scene by name. Make throws if the scene is broken.
+struct BenchmarkScene
+{
+  std::string Name;
+  int Width = 0;
+  int Height = 0;
+  SceneFactory Make;
+  /// Set instead if not even the file could be read.
+  std::string Failure;
+};
+
+class BenchmarkRunner
+{
+public:
+  using ProgressFunction = std::function<void(const std::string& line, bool isFinal)>;
+
+  BenchmarkRunner(BenchmarkSettings settings, TechniqueFactory makeTechnique)
+    : Settings(std::move(settings))
+    , MakeTechnique(std::move(makeTechnique))
+  {
+  }
+
+  /// Lines for a terminal; those that are not final may be overwritten by the next.
+  void SetProgress(ProgressFunction progress) { this->Progress = std::move(progress); }
+
+  /// Never throws: what is broken is reported in the result.
+  SceneResult Run(const BenchmarkScene& scene, const std::vector<ContestantChoice>& choices) const;
+
+private:
+  BenchmarkSettings Settings;
+  TechniqueFactory MakeTechnique;
+  ProgressFunction Progress;
+
+  void Report(const std::string& line, bool isFinal) const;
+  VisibilityImage GetReference(const BenchmarkScene& scene, SceneResult& result) const;
+};
+
+}
+
+#endif

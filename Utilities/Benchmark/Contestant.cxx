@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Contestant.h"
+
+#include "ReferenceTracer.h"
+#include "WindowContestant.h"
+
+#include "vtkSoftShadowPass.h"
+
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <cmath>     // For roots
+#include <stdexcept> // For errors
+
+namespace softshadows
+{
+namespace
+{
+
+//--------------------------------------------------------------------------------------------------
+int GetNumber(const ContestantChoice& choice, const std::string& option, int whenAbsent)
+{
+  const auto found = choice.Options.find(option);
+  if (found == choice.Options.end())
+  {
+    return whenAbsent;
+  }
+  size_t used = 0;
+  const int number = std::stoi(found->second, &used);
+  if (used != found->second.size() || number < 1)
+  {
+    throw std::invalid_argument(
+      choice.Technique + ": " + option + " must be a whole number above 0");
+  }
+  return number;
+}
+
+//--------------------------------------------------------------------------------------------------
+// Every frame builds its hierarchy anew and traces all rays: the price of a scene that moves.
+class RayContestant : public Contestant
+{
+public:
+  RayContestant(const SceneFactory& makeScene, int width, int height, int samples)
+    : Renderer(makeScene())
+    , Tracer(width, height, static_cast<int>(std::lround(std::sqrt(samples))))
+  {
+  }
+
+  void Draw(Motion, int) override { this->Last = this->Tracer.Trace(this->Renderer); }
+  std::vector<std::vector<float>> GetVisibility() override { return this->Last.Visibility; }
+  bool Notices(Motion motion) const override { return motion == Motion::Light; }
+
+  std::vector<std::pair<std::string, std::int64_t>> GetCounts() override
+  {
+    return { { "shadow_rays", this->Last.ShadowRays } };
+  }
+
+private:
+  vtkSmartPointer<vtkRenderer> Renderer;
+  ReferenceTracer Tracer;
+  ReferenceVisibility Last;
+};
+
+}
+
+//--------------------------------------------------------------------------------------------------
+std::string ContestantChoice::GetName() const
+{
+  std::string name = this->Technique;
+  for (const auto& option : this->Options)
+  {
+    name += ' ' + option.first + '=' + option.second;
+  }
+  return name;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::unique_ptr<Contestant> MakeContestant(const ContestantChoice& choice,
+  const SceneFactory& makeScene, int width, int height, const TechniqueFactory& makeTechnique)
+{
+  if (choice.Technique == "plain")
+  {
+    return std::make_unique<WindowContestant>(makeScene, width, height);
+  }
+  if (choice.Technique == "vtk")
+  {
+    return std::make_unique<HardShadowContestant>(
+      makeScene, width, height, GetNumber(choice, "map_size", 1024));
+  }
+  if (choice.Technique == "rays")
+  {
+    return std::make_unique<RayContestant>(
+      makeScene, width, height, GetNumber(choice, "samples", 16));
+  }
+  return std::make_unique<TechniqueContestant>(
+    makeScene, width, height, makeTechnique(choice.Technique, choice.Options));
+}
+
+}

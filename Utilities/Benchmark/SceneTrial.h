@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   SceneTrial
+ * @brief   All contestants in one scene: made, judged, timed round by round.
+ */
+
+#ifndef SoftShadowsBenchmark_SceneTrial_h
+#define SoftShadowsBenchmark_SceneTrial_h
+
+#include "BenchmarkRunner.h"
+
+namespace softshadows
+{
+
+class SceneTrial
+{
+public:
+  /// Keeps references to all of them.
+  SceneTrial(const BenchmarkSettings& settings, const BenchmarkScene& scene,
+    const VisibilityImage& reference, const TechniqueFactory& makeTechnique);
+
+  /**
+   * Makes a contestant, warms it up and compares its visibility. One that fails is kept with its
+   * reason. One with samples is not even tried where the last of its kind tells that it would take
+   * more than its seconds.
+   */
+  void Add(const ContestantChoice& choice);
+
+  /// Draws and times one frame of each contestant and motion.
+  void TimeRound();
+
+  /// The contestants' results in the order of Add. Ends the trial.
+  std::vector<ContestantResult> Finish();
+
+  /// The first light's reference in grey.
+  ColorImage DrawReference() const;
+
+private:
+  struct Entry
+  {
+    std::unique_ptr<Contestant> Runner;
+    ContestantResult Result;
+    double SecondsUsed = 0.0;
+    /// Of the first frame with moving lights after warming up.
+    double SecondsPerFrame = 0.0;
+    std::map<std::string, FrameTimes> Steps;
+    std::vector<std::string> StepOrder;
+  };
+
+  const BenchmarkSettings& Settings;
+  const BenchmarkScene& Scene;
+  const VisibilityImage& Reference;
+  const TechniqueFactory& MakeTechnique;
+  std::vector<unsigned char> Silhouettes;
+  std::vector<Entry> Entries;
+  int Frame = 0;
+
+  void Prepare(const ContestantChoice& choice, Entry& entry);
+  void Judge(Entry& entry) const;
+  double Time(Entry& entry, Motion motion);
+  bool HasTime(const Entry& entry) const;
+  double Foresee(const ContestantChoice& choice) const;
+  static void KeepSteps(Entry& entry);
+};
+
+}
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is made of results, on results made by hand.
+#include "BenchmarkCharts.h"
+#include "HtmlReport.h"
+#include "PngData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace softshadows;
+
+namespace
+{
+
+//--------------------------------------------------------------------------------------------------
+ContestantResult MakeResult(const std::string& name, double milliseconds, double rmse)
+{
+  ContestantResult result;
+  result.Name = name;
+  result.Technique = name.substr(0, name.find(' '));
+  const size_t equals = name.find('=');
+  if (equals != std::string::npos)
+  {
+    const size_t space = name.find(' ');
+    result.Options[name.substr(space + 1, equals - space - 1)] = name.substr(equals + 1);
+  }
+  result.Times[static_cast<size_t>(Motion::Light)].Milliseconds = { milliseconds };
+  result.Rmse = rmse;
+  result.Errors.resize(1);
+  return result;
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(FrameTimes, AreSummedUpInOrderStatistics)
+{
+  const FrameTimes times{ { 4.0, 1.0, 2.0, 10.0 } };
+  EXPECT_DOUBLE_EQ(times.Median(), 3.0);
+  EXPECT_DOUBLE_EQ(times.Quantile(0.25), 1.75);
+  EXPECT_DOUBLE_EQ(times.Quantile(1.0), 10.0);
+  EXPECT_DOUBLE_EQ(times.Mean(), 4.25);
+  EXPECT_NEAR(times.StandardDeviation(), 4.031129, 1e-6);
+  EXPECT_TRUE(std::isnan(FrameTimes().Median()));
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(ParetoFront, HasWhatNoOtherBeatsInBoth)
+{
+  SceneResult scene;
+  scene.Contestants = { MakeResult("good", 10.0, 0.01), MakeResult("slow", 20.0, 0.02),
+    MakeResult("fast", 1.0, 0.1), MakeResult("exact", 100.0, 0.001),
+    MakeResult("equal", 10.0, 0.05) };
+  std::string names;
+  for (const ContestantResult* contestant : ParetoFront(scene))
+  {
+    names += contestant->Name + ' ';
+  }
+  EXPECT_EQ(names, "fast good exact ");
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(BenchmarkCharts, SeriesAreTechniquesInOrderOfTheOption)
+{
+  SceneResult scene;
+  scene.Contestants = { MakeResult("pcss taps=20", 8.0, 0.1), MakeResult("pcss taps=5", 2.0, 0.2),
+    MakeResult("other taps=5", 1.0, 0.2) };
+  const ChartDescription chart = TimeAgainstOption(scene, "taps");
+  ASSERT_EQ(chart.Series.size(), 1U) << "one value alone is no line";
+  EXPECT_EQ(chart.Series[0].X, (std::vector<double>{ 5.0, 20.0 }));
+  EXPECT_EQ(chart.Series[0].Y, (std::vector<double>{ 2.0, 8.0 }));
+  EXPECT_TRUE(TimeAgainstOption(scene, "map_size").IsEmpty());
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(HtmlReport, NumbersHaveFourDigitsAndTextIsEscaped)
+{
+  EXPECT_EQ(FormatNumber(0.0123456), "0.01235");
+  EXPECT_EQ(FormatNumber(std::nan("")), "-");
+  EXPECT_EQ(EscapeHtml("a<b & \"c\">"), "a&lt;b &amp; &quot;c&quot;&gt;");
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(PngData, IsBase64OfAPng)
+{
+  const ColorImage image{ 1, 2, { 255, 0, 0, 0, 0, 255 } };
+  EXPECT_EQ(EncodePng(image).substr(1, 3), "PNG");
+  EXPECT_EQ(EncodePngUrl(image).rfind("data:image/png;base64,iVBORw0KGgo", 0), 0U);
+}
+
+}
