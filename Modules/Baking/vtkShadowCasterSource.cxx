@@ -32,7 +32,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <cstring>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -84,9 +84,9 @@ bool DrawsPolygonsAsTheyAre(vtkMapper* mapper)
   static const char* const names[] = { "vtkOpenGLPolyDataMapper", "vtkCompositePolyDataMapper2",
     "vtkCompositePolyDataMapper", "vtkOpenGLLowMemoryPolyDataMapper", "vtkPolyDataMapper",
     "vtkDataSetMapper" };
-  const std::string name = mapper->GetClassName();
-  return std::any_of(
-    std::begin(names), std::end(names), [&name](const char* known) { return name == known; });
+  const char* name = mapper->GetClassName();
+  return std::any_of(std::begin(names), std::end(names),
+    [name](const char* known) { return std::strcmp(name, known) == 0; });
 }
 
 bool HasAlpha(vtkTexture* texture)

@@ -60,8 +60,8 @@ Polygon Cut(const Polygon& polygon, int axis, double sign, double bound)
     if ((da >= 0.0) != (db >= 0.0))
     {
       const double t = da / (da - db);
-      kept.push_back({ { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]),
-        a[2] + t * (b[2] - a[2]) } });
+      kept.push_back(
+        { { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) } });
     }
   }
   return kept;

@@ -48,8 +48,7 @@ vtkShadowEmitter MakeEmitter(double x, double y, double z, bool directional, dou
   return emitter;
 }
 
-bool Fit(
-  const std::vector<Body>& bodies, const vtkShadowEmitter& emitter, vtkShadowMapView& view)
+bool Fit(const std::vector<Body>& bodies, const vtkShadowEmitter& emitter, vtkShadowMapView& view)
 {
   return vtkShadowMapFitter(bodies).Fit(emitter, view);
 }
@@ -140,8 +139,8 @@ TEST(ShadowMapFitter, AGroundOfAnySizeChangesNothing)
 TEST(ShadowMapFitter, AGroundThatIsDippedIntoAddsOnlyWhatShadowsTheModel)
 {
   vtkShadowMapView view;
-  ASSERT_TRUE(Fit({ MakeBox(-1, 1, -1, 1, -0.5, 1), MakeGround(2000.0) },
-    MakeEmitter(0, 0, 5, true), view));
+  ASSERT_TRUE(
+    Fit({ MakeBox(-1, 1, -1, 1, -0.5, 1), MakeGround(2000.0) }, MakeEmitter(0, 0, 5, true), view));
   ExpectWindow(view, { { -1.0, 1.0, -1.0, 1.0 } });
   Body shell = MakeSheet(-1.0, 1.0, -1.0, 1.0, -0.5); // seen only through the ground
   ASSERT_TRUE(Fit({ shell, MakeGround(2000.0) }, MakeEmitter(0, 0, 5, true, 0.1), view));
@@ -174,8 +173,7 @@ TEST(ShadowMapFitter, ASheetCastsOnlyOnWhatLiesBehindIt)
   EXPECT_FALSE(
     Fit({ sheet, MakeSheet(4.0, 5.0, 4.0, 5.0, 0.0) }, MakeEmitter(0, 0, 5, false), view))
     << "beside it";
-  EXPECT_FALSE(
-    Fit({ sheet, MakeSheet(-1, 1, -1, 1, 3.0) }, MakeEmitter(0, 0, 2.5, false), view))
+  EXPECT_FALSE(Fit({ sheet, MakeSheet(-1, 1, -1, 1, 3.0) }, MakeEmitter(0, 0, 2.5, false), view))
     << "above the light";
   // The shadow of the edge x = 1 ends at x = 5/3 for a point; a light of half size 1.5 reaches
   // (5/3 + 1.5 * 2/3) = 2.67, so what begins at 2.5 is in the penumbra.
@@ -268,8 +266,7 @@ TEST(ShadowMapFitter, ScaleAndPlaceChangeNothing)
     EXPECT_NEAR(view.Far / s, unit.Far, 1e-9) << s;
   }
   vtkShadowMapView far;
-  ASSERT_TRUE(Fit(
-    bodies(1.0, 1e7), MakeEmitter(1e7 + 0.2, 1e7 + 0.1, 1e7 + 5, false, 0.5), far));
+  ASSERT_TRUE(Fit(bodies(1.0, 1e7), MakeEmitter(1e7 + 0.2, 1e7 + 0.1, 1e7 + 5, false, 0.5), far));
   EXPECT_NEAR(far.Window[0], unit.Window[0], 1e-7);
   EXPECT_NEAR(far.Near, unit.Near, 1e-7);
 }

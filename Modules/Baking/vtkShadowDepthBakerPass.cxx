@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowDepthBakerPass.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShadowCasters.h"
+#include "vtkShadowDepthMaps.h"
+#include "vtkShadowEmitter.h"
+#include "vtkShadowLightSampling.h"
+#include "vtkShadowMapFitter.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkShadowDepthBakerPass);
+
+namespace
+{
+// A lit light of the last frame. Maps go from frame to frame with their light.
+struct BakedLight
+{
+  vtkLight* Light = nullptr; // compared, never followed
+  vtkSmartPointer<vtkShadowDepthMaps> Maps;
+  std::string Report;
+  bool Casts = false;
+};
+
+std::vector<vtkShadowMapView> FitViews(
+  const vtkShadowMapFitter& fitter, const vtkShadowEmitter& emitter, int samples)
+{
+  std::vector<vtkShadowMapView> views;
+  for (const auto& sample : vtkShadowLightSampling::Generate(
+         emitter, samples, vtkShadowLightSampling::GRID, vtkShadowLightSampling::MEAN))
+  {
+    const std::vector<vtkShadowMapView> fitted =
+      fitter.FitAll(emitter.PointAt(sample.U, sample.V, sample.Weight));
+    views.insert(views.end(), fitted.begin(), fitted.end());
+  }
+  return views;
+}
+}
+
+//------------------------------------------------------------------------------
+class vtkShadowDepthBakerPass::Internals
+{
+public:
+  std::vector<BakedLight> Lights;
+  std::vector<BakedLight> Previous;
+
+  BakedLight TakeFromPrevious(vtkLight* light)
+  {
+    const auto found = std::find_if(this->Previous.begin(), this->Previous.end(),
+      [light](const BakedLight& baked) { return baked.Light == light; });
+    BakedLight baked;
+    if (found != this->Previous.end())
+    {
+      baked = *found;
+      this->Previous.erase(found);
+    }
+    baked.Light = light;
+    baked.Report.clear();
+    baked.Casts = false;
+    return baked;
+  }
+
+  BakedLight* Find(vtkLight* light)
+  {
+    const auto found = std::find_if(this->Lights.begin(), this->Lights.end(),
+      [light](const BakedLight& baked) { return baked.Light == light && baked.Casts; });
+    return found == this->Lights.end() ? nullptr : &*found;
+  }
+
+  static void Release(std::vector<BakedLight>& lights, vtkWindow* window)
+  {
+    for (BakedLight& baked : lights)
+    {
+      if (baked.Maps)
+      {
+        baked.Maps->ReleaseGraphicsResources(window);
+      }
+    }
+    lights.clear();
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkShadowDepthBakerPass::vtkShadowDepthBakerPass()
+  : Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkShadowDepthBakerPass::~vtkShadowDepthBakerPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkShadowDepthBakerPass::Render(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  this->NumberOfRenderedProps = 0;
+  this->NumberOfBakes = 0;
+  vtkRenderer* renderer = s->GetRenderer();
+  this->Casters->Update(renderer);
+  const vtkShadowMapFitter fitter(this->Casters->GetBodies());
+
+  impl.Previous.swap(impl.Lights);
+  impl.Lights.clear();
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    BakedLight baked = impl.TakeFromPrevious(light);
+    vtkShadowEmitter emitter;
+    baked.Casts = vtkShadowEmitter::FromLight(light, emitter, baked.Report);
+    if (baked.Casts)
+    {
+      if (!baked.Maps)
+      {
+        baked.Maps = vtkSmartPointer<vtkShadowDepthMaps>::New();
+      }
+      const int count = baked.Maps->Bake(renderer, this->Casters,
+        FitViews(fitter, emitter, this->NumberOfSamples), this->MapSize, this->Conservative);
+      this->NumberOfBakes += std::max(count, 0);
+      baked.Casts = count >= 0;
+      baked.Report = count < 0 ? "no memory for its depth maps"
+                               : std::to_string(baked.Maps->GetViews().size()) + " depth maps of " +
+          std::to_string(this->MapSize) + " x " + std::to_string(this->MapSize) + " texels";
+    }
+    impl.Lights.push_back(baked);
+  }
+  // Lights that went out or away.
+  Internals::Release(impl.Previous, renderer->GetRenderWindow());
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowDepthBakerPass::GetNumberOfLights() const
+{
+  const auto& lights = this->Impl->Lights;
+  return static_cast<int>(std::count_if(
+    lights.begin(), lights.end(), [](const BakedLight& baked) { return baked.Casts; }));
+}
+
+//------------------------------------------------------------------------------
+vtkShadowDepthMaps* vtkShadowDepthBakerPass::GetDepthMaps(vtkLight* light)
+{
+  const BakedLight* baked = this->Impl->Find(light);
+  return baked ? baked->Maps.GetPointer() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkShadowDepthBakerPass::GetDepthImage(vtkLight* light, int layer)
+{
+  vtkShadowDepthMaps* maps = this->GetDepthMaps(light);
+  if (!maps)
+  {
+    vtkErrorMacro(
+      "The light has no depth maps: it was not lit in the last frame or casts nothing.");
+    return nullptr;
+  }
+  return maps->ReadDepth(layer);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowDepthBakerPass::GetLightReport() const
+{
+  std::ostringstream report;
+  for (std::size_t i = 0; i < this->Impl->Lights.size(); ++i)
+  {
+    const BakedLight& baked = this->Impl->Lights[i];
+    report << "light " << i << ": " << (baked.Casts ? "" : "casts nothing: ") << baked.Report
+           << "\n";
+  }
+  return report.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowDepthBakerPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals::Release(this->Impl->Lights, window);
+  this->Casters->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowDepthBakerPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MapSize: " << this->MapSize << "\n";
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "Conservative: " << this->Conservative << "\n";
+  os << indent << "NumberOfBakes: " << this->NumberOfBakes << "\n";
+  os << indent << "NumberOfLights: " << this->GetNumberOfLights() << "\n";
+  os << indent << "Casters:\n";
+  this->Casters->PrintSelf(os, indent.GetNextIndent());
+}
+
+VTK_ABI_NAMESPACE_END
