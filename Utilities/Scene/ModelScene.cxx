@@ -13,8 +13,8 @@ namespace softshadows
 namespace
 {
 
-constexpr double GroundEdge = 40.0; // all lengths in radii of the models
-constexpr double CameraDistance = 4.2;
+constexpr double GroundEdge = 100.0; // all lengths in radii of the models
+constexpr double CameraDistance = 3.5;
 constexpr double LightDistance = 4.0;
 constexpr double LightEdge = 0.8;
 constexpr Vector3 ModelColor{ { 0.80, 0.72, 0.62 } };

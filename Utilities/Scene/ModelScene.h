@@ -28,9 +28,9 @@ enum class UpAxis
 /**
  * The models as they are, and around them, with R the radius of the sphere around their bounding
  * box and the box's centre C:
- *  - a ground plane of 40 R x 40 R at their lowest point;
+ *  - a ground plane of 100 R x 100 R at their lowest point;
  *  - a camera with a view angle of 30 degrees, 30 degrees to the right of the front (the axis after
- *    the up axis in the cycle x, y, z, x), 20 degrees above the ground, 4.2 R away, aimed at C;
+ *    the up axis in the cycle x, y, z, x), 20 degrees above the ground, 3.5 R away, aimed at C;
  *  - one key light: a square of 0.8 R x 0.8 R, 40 degrees to the left of the front, 50 degrees
  *    above the ground, 4 R away, aimed at C.
  * Throws SceneError for models that cannot be read.

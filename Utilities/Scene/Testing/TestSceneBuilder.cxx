@@ -282,7 +282,7 @@ TEST(ModelScene, PutsModelsOnAGroundBeforeACameraUnderALight)
       EXPECT_NEAR(scene.Camera->FocalPoint[k], 0.5 * (box[2 * k] + box[2 * k + 1]), 1e-9);
       if (k != axis)
       {
-        EXPECT_NEAR(ground[2 * k + 1] - ground[2 * k], 40.0 * radius, 1e-6);
+        EXPECT_NEAR(ground[2 * k + 1] - ground[2 * k], 100.0 * radius, 1e-6);
       }
     }
     EXPECT_EQ(scene.Camera->ViewUp[axis], 1.0);

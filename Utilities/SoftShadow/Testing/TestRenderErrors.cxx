@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// softshadow render: what is wrong is named, the exit code is 1, and nothing is written.
+
+#include "ToolRun.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+const std::string Data = SOFTSHADOWS_TEST_DATA_DIR;
+
+const char* const Scene = R"({ "version": 1, "image": {"width": 16, "height": 16},
+  "lights": [{"position": [0, 0, 5], "size": [0.2, 0.2]}],
+  "objects": [{"source": "box"}] })";
+
+struct WrongRun
+{
+  const char* Name;
+  const char* Arguments;
+  const char* Message; ///< A part of it.
+};
+
+std::ostream& operator<<(std::ostream& os, const WrongRun& run)
+{
+  return os << run.Name;
+}
+
+class RenderErrors
+  : public ToolTest
+  , public testing::WithParamInterface<WrongRun>
+{
+};
+
+class RenderFailures : public ToolTest
+{
+};
+
+std::string NameOf(const testing::TestParamInfo<WrongRun>& info)
+{
+  return info.param.Name;
+}
+
+}
+
+TEST_P(RenderErrors, AreNamedAndNothingIsWritten)
+{
+  const WrongRun& wrong = this->GetParam();
+  this->Write("scene.json", Scene);
+  this->Write(
+    "key.json", "{\"version\": 1,\n\"objects\": [{\"source\": \"box\",\n\"colour\": 1}]}");
+  this->Write("model.json", "{\"version\": 1,\n\"objects\": [\n{\"file\": \"no.ply\"}]}");
+  this->Write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
+  this->Write("old.png", "old");
+  const std::set<std::string> before = this->Files();
+  const ToolResult result = this->Run(wrong.Arguments);
+  EXPECT_EQ(result.ExitCode, 1) << result.Output;
+  EXPECT_NE(result.Output.find(wrong.Message), std::string::npos) << result.Output;
+  EXPECT_EQ(this->Files(), before);
+  EXPECT_EQ(this->Read("old.png"), "old");
+  EXPECT_EQ(this->Read("scene.json"), Scene);
+}
+
+INSTANTIATE_TEST_SUITE_P(Arguments, RenderErrors,
+  testing::Values(WrongRun{ "NoCommand", "", "render" },
+    WrongRun{ "UnknownCommand", "rendre scene.json -o a.png", "rendre" },
+    WrongRun{ "NoInput", "render -o a.png", "required" },
+    WrongRun{ "NoOutput", "render scene.json", "nothing to write" },
+    WrongRun{ "UnknownFlag", "render scene.json -o a.png --techniqe pcss", "--techniqe" },
+    WrongRun{ "UnknownTechnique", "render scene.json -o old.png --technique pccs",
+      "there is no technique 'pccs'; did you mean 'pcss'? Known are: sampled, pcss" },
+    WrongRun{ "UnknownOption", "render scene.json -o old.png --option samlpes=4",
+      "technique 'pcss' has no option 'samlpes'" },
+    WrongRun{ "OptionWithoutValue", "render scene.json -o a.png --option split", "NAME=VALUE" },
+    WrongRun{ "OptionOutOfRange", "render scene.json -o a.png --option map_size=7",
+      "option 'map_size': must be a whole number from 32 to 16384, is '7'" },
+    WrongRun{ "OptionNotANumber", "render scene.json -o a.png --option map_size=big", "is 'big'" },
+    WrongRun{ "TwoScenes", "render scene.json scene.json -o a.png", "give one scene" },
+    WrongRun{ "SceneAndModel", "render cut.ply scene.json -o a.png", "give one scene" },
+    WrongRun{ "UpOfNoAxis", "render cut.ply -o a.png --up q", "--up" },
+    WrongRun{ "WidthZero", "render scene.json -o a.png --width 0", "--width" }),
+  NameOf);
+
+INSTANTIATE_TEST_SUITE_P(Inputs, RenderErrors,
+  testing::Values(WrongRun{ "NoSuchScene", "render no.json -o old.png", "no.json: no such file" },
+    WrongRun{ "NoSuchModel", "render no.ply -o old.png", "no such file 'no.ply'" },
+    WrongRun{ "OtherKind", "render scene.txt -o a.png", "'scene.txt' is no model" },
+    WrongRun{ "UnknownKey", "render key.json -o old.png",
+      "key.json:3: objects[0].colour: unknown key; did you mean 'color'?" },
+    WrongRun{ "MissingModel", "render model.json -o old.png --visibility v.exr --report r.json",
+      "model.json:3: objects[0].file: no such file 'no.ply'" },
+    WrongRun{ "TruncatedModel", "render cut.ply -o old.png", "truncated" }),
+  NameOf);
+
+INSTANTIATE_TEST_SUITE_P(Outputs, RenderErrors,
+  testing::Values(
+    WrongRun{ "UnknownFormat", "render scene.json -o a.pictures", "of no known format" },
+    WrongRun{ "NoFormat", "render scene.json -o picture", "of no known format" },
+    WrongRun{ "NoFolder", "render scene.json -o no/such/a.png", "there is no folder no/such" },
+    WrongRun{ "FolderInPlace", "render scene.json -o ..png --report ..", "is a folder" },
+    WrongRun{ "VisibilityFormat", "render scene.json --visibility v.png", "must end in .exr" },
+    WrongRun{
+      "OverInput", "render scene.json -o a.png --report ./scene.json", "would overwrite an input" },
+    WrongRun{
+      "TwiceTheSame", "render scene.json -o a.exr --visibility ./a.exr", "is to be written twice" },
+    WrongRun{ "SecondOutputFails", "render scene.json -o old.png --report no/such/r.json",
+      "there is no folder" }),
+  NameOf);
+
+TEST_F(RenderFailures, SayWhatToInstallWhereThereIsNoDisplay)
+{
+  this->Write("scene.json", Scene);
+  const ToolResult result =
+    this->Run("render scene.json -o a.png", "-u DISPLAY PATH=/no/such/folder");
+  if (result.ExitCode == 0)
+  {
+    GTEST_SKIP() << "this VTK needs no display";
+  }
+  EXPECT_EQ(result.ExitCode, 1) << result.Output;
+  EXPECT_NE(result.Output.find("apt-get install xvfb"), std::string::npos) << result.Output;
+  EXPECT_EQ(this->Files(), std::set<std::string>{ "scene.json" });
+}
+
+TEST_F(RenderFailures, AreNoneWhereHelpIsAskedFor)
+{
+  EXPECT_EQ(this->Run("--help").ExitCode, 0);
+  const ToolResult help = this->Run("render --help");
+  EXPECT_EQ(help.ExitCode, 0);
+  for (const char* flag : { "--technique", "--option", "--models", "--visibility", "--report" })
+  {
+    EXPECT_NE(help.Output.find(flag), std::string::npos) << flag;
+  }
+}

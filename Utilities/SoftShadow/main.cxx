@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// softshadow: the command-line tool. A command is one file and one line here.
+
+#include "CompareCommand.h"
+#include "RenderCommand.h"
+
+#include "Technique.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+namespace
+{
+
+int Run(int argc, char** argv)
+{
+  CLI::App app("Soft shadows of area lights.", "softshadow");
+  app.add_flag_callback(
+    "--list-techniques",
+    []
+    {
+      softshadows::PrintTechniques(std::cout);
+      throw CLI::Success();
+    },
+    "Print the techniques and their options, and end");
+  softshadows::AddRenderCommand(app);
+  softshadows::AddCompareCommand(app);
+  app.require_subcommand(0, 1);
+  try
+  {
+    app.parse(argc, argv); // runs the command
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error) == EXIT_SUCCESS ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  if (app.get_subcommands().empty())
+  {
+    std::cerr << app.help();
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return Run(argc, argv);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "softshadow: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}
