@@ -4,10 +4,12 @@
 
 #include "vtkActor.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShadowCamera.h"
 #include "vtkShadowMapView.h"
+#include "vtkTimeStamp.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -19,6 +21,14 @@ struct RendererAccess : public vtkRenderer
   static vtkCamera*& Camera(vtkRenderer* renderer)
   {
     return renderer->*(&RendererAccess::ActiveCamera);
+  }
+};
+
+struct LightingAccess : public vtkOpenGLRenderer
+{
+  static vtkMTimeType& UpdateTime(vtkOpenGLRenderer* renderer)
+  {
+    return renderer->*(&LightingAccess::LightingUpdateTime);
   }
 };
 
@@ -49,6 +59,14 @@ vtkShadowMapperCasters::vtkShadowMapperCasters(
 vtkShadowMapperCasters::~vtkShadowMapperCasters()
 {
   RendererAccess::Camera(this->Renderer) = this->Camera;
+  // The mappers' programs now hold the lights as the map's camera, the newest, sees them, and take
+  // nothing older. The renderer computes this time anew in every frame.
+  if (auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer))
+  {
+    vtkTimeStamp now;
+    now.Modified();
+    LightingAccess::UpdateTime(renderer) = now.GetMTime();
+  }
 }
 
 //------------------------------------------------------------------------------
