@@ -9,6 +9,19 @@ struct DepthRange
   float nearest;    // the least depth met
 };
 
+// The largest of the values in this pixel's quad.
+//
+// llvmpipe fetches the four pixels of a quad from one level, the first one's. Any level proves the
+// same, so it does not matter where derivatives are too coarse for this to be exact.
+int sameInQuad(int value)
+{
+  float largest = float(value);
+  vec2 side = 1.0 - 2.0 * mod(floor(gl_FragCoord.xy), 2.0);
+  largest = max(largest, largest + side.x * dFdx(largest));
+  largest = max(largest, largest + side.y * dFdy(largest));
+  return int(largest + 0.5);
+}
+
 // Compares the receiver's plane with all map texels in the rectangle center +- halfWidth.
 DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
 {
@@ -24,8 +37,8 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
   vec2 extent = (high - low) * depthMapSize;
   int level = int(max(ceil(log2(max(max(extent.x, extent.y), 1.0) / 3.0)) - 1.0, 0.0));
   vec2 size = vec2(textureSize(depthPyramid, 0).xy);
-  level = min(level, int(log2(size.x)));
-  ivec2 levelSize = textureSize(depthPyramid, level).xy;
+  level = sameInQuad(min(level, int(log2(size.x))));
+  ivec2 levelSize = max(ivec2(size) >> level, ivec2(1));
   float span = float(2 << level) / depthMapSize; // edge of a pyramid texel in (s, t)
   ivec2 first = clamp(ivec2(floor(low / span)), ivec2(0), levelSize - 1);
   ivec2 last = clamp(ivec2(floor(high / span)), ivec2(0), levelSize - 1);
