@@ -15,6 +15,7 @@
 #include "vtkShadowLight.h"
 #include "vtkShadowProof.h"
 #include "vtkShadowReceiver.h"
+#include "vtkShadowSamples.h"
 
 #include <set>
 #include <sstream>
@@ -33,6 +34,7 @@ const char* FindSnippet(const std::string& name)
     { "vtkShadowLight", vtkShadowLight },
     { "vtkShadowProof", vtkShadowProof },
     { "vtkShadowReceiver", vtkShadowReceiver },
+    { "vtkShadowSamples", vtkShadowSamples },
   };
   for (const auto& snippet : snippets)
   {
@@ -87,7 +89,8 @@ vtkShadowShader::Definitions vtkShadowShader::CommonDefinitions()
   return { { "SOFT_SHADOW_STAGE_SHADE", std::to_string(VTK_SOFT_SHADOW_STAGE_SHADE) },
     { "SOFT_SHADOW_STAGE_RECEIVE", std::to_string(VTK_SOFT_SHADOW_STAGE_RECEIVE) },
     { "SOFT_SHADOW_SURFACE", std::to_string(VTK_SOFT_SHADOW_SURFACE) + ".0" },
-    { "SOFT_SHADOW_RECEIVES", std::to_string(VTK_SOFT_SHADOW_RECEIVES) + ".0" } };
+    { "SOFT_SHADOW_RECEIVES", std::to_string(VTK_SOFT_SHADOW_RECEIVES) + ".0" },
+    { "SOFT_SHADOW_SAMPLES_PER_DRAW", std::to_string(VTK_SOFT_SHADOW_SAMPLES_PER_DRAW) } };
 }
 
 //------------------------------------------------------------------------------

@@ -85,6 +85,13 @@ enum vtkSoftShadowMarks
   VTK_SOFT_SHADOW_RECEIVES = 3
 };
 
+/// Points of the light per draw of the snippet vtkShadowSamples: a matrix each must fit the least
+/// number of uniforms that OpenGL 3.2 guarantees.
+enum vtkSoftShadowLimits
+{
+  VTK_SOFT_SHADOW_SAMPLES_PER_DRAW = 32
+};
+
 VTK_ABI_NAMESPACE_END
 #endif
 // VTK-HeaderTest-Exclude: vtkShadowShader.h

@@ -24,8 +24,7 @@ vtkStandardNewMacro(vtkSampledSoftShadowPass);
 
 namespace
 {
-// Maps per draw; a matrix each must fit the least number of uniforms that OpenGL 3.2 guarantees.
-constexpr size_t MapsPerDraw = 32;
+constexpr size_t MapsPerDraw = VTK_SOFT_SHADOW_SAMPLES_PER_DRAW;
 
 // The points of one emitter with their views, and the maps that hold a batch of them.
 struct EmitterSamples
@@ -33,9 +32,7 @@ struct EmitterSamples
   vtkShadowEmitter Emitter;
   vtkMTimeType CastersTime = 0;
   vtkMTimeType SettingsTime = 0;
-  std::vector<vtkShadowMapView> Views;
-  std::vector<float> Weights; // of the views
-  float LitWeight = 0.0f;     // of the points in whose way nothing lies
+  vtkSoftShadowSamples Samples;
   vtkNew<vtkShadowDepthMaps> Maps;
 };
 } // namespace
@@ -45,44 +42,12 @@ class vtkSampledSoftShadowPass::Internals
 public:
   std::map<std::pair<int, int>, EmitterSamples> Emitters; // by light and part
   vtkShadowShader Shader{ vtkSampledSoftShadowFS };
-
-  static void Fit(EmitterSamples& emitter, const vtkSoftShadowContext& context,
-    const std::vector<vtkShadowLightSampling::Sample>& samples);
-  void DrawBatch(const vtkSoftShadowContext& context, EmitterSamples& emitter, size_t first,
-    size_t count, std::vector<float>& matrices);
 };
-
-//------------------------------------------------------------------------------
-void vtkSampledSoftShadowPass::Internals::Fit(EmitterSamples& emitter,
-  const vtkSoftShadowContext& context, const std::vector<vtkShadowLightSampling::Sample>& samples)
-{
-  emitter.Views.clear();
-  emitter.Weights.clear();
-  emitter.LitWeight = 0.0f;
-  for (const vtkShadowLightSampling::Sample& sample : samples)
-  {
-    const double weight = sample.Weight * context.Emitter.Weight;
-    const vtkShadowEmitter point = context.Emitter.PointAt(sample.U, sample.V, weight);
-    vtkShadowMapView view;
-    if (context.Fitter->Fit(point, view))
-    {
-      emitter.Views.push_back(view);
-      emitter.Weights.push_back(static_cast<float>(weight));
-    }
-    else
-    {
-      emitter.LitWeight += static_cast<float>(weight);
-    }
-  }
-}
 
 //------------------------------------------------------------------------------
 vtkSampledSoftShadowPass::vtkSampledSoftShadowPass()
   : Impl(new Internals)
 {
-  const vtkShadowShader::Definitions definitions = { { "SAMPLED_BATCH",
-    std::to_string(MapsPerDraw) } };
-  this->Impl->Shader.SetDefinitions(definitions);
 }
 
 //------------------------------------------------------------------------------
@@ -112,22 +77,21 @@ void vtkSampledSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context
     emitter.Emitter = context.Emitter;
     emitter.SettingsTime = this->GetMTime();
     emitter.CastersTime = context.Casters->GetCastersTime();
-    Internals::Fit(emitter, context,
+    emitter.Samples = vtkSoftShadowPass::FitSamples(context,
       vtkShadowLightSampling::Generate(
         context.Emitter, this->NumberOfSamples, this->Pattern, this->Weights));
   }
   const size_t layers =
     static_cast<size_t>(vtkShadowTextureArray::GetMaximumLayers(context.Window));
   const size_t batch = std::min(this->GetMapsPerBatch(), layers);
-  std::vector<float> matrices(16 * MapsPerDraw);
-  float litWeight = emitter.LitWeight;
-  for (size_t first = 0; first == 0 || first < emitter.Views.size(); first += batch)
+  float litWeight = emitter.Samples.LitWeight;
+  for (size_t first = 0; first == 0 || first < emitter.Samples.Views.size(); first += batch)
   {
-    const size_t last = std::min(first + batch, emitter.Views.size());
+    const size_t last = std::min(first + batch, emitter.Samples.Views.size());
     if (last > first)
     {
       const std::vector<vtkShadowMapView> views(
-        emitter.Views.begin() + first, emitter.Views.begin() + last);
+        emitter.Samples.Views.begin() + first, emitter.Samples.Views.begin() + last);
       const int baked = emitter.Maps->Bake(context.Renderer, context.Casters, views, this->MapSize);
       if (baked < 0)
       {
@@ -143,13 +107,11 @@ void vtkSampledSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context
       }
       vtkShaderProgram* program = this->Impl->Shader.GetProgram();
       program->SetUniformf("litWeight", litWeight);
-      program->SetUniformi("filterSize", this->FilterSize);
-      program->SetUniformf("depthMapSize", static_cast<float>(this->MapSize));
-      program->SetUniformf("firstLayer", static_cast<float>(i - first));
       litWeight = 0.0f; // once
       this->SetReceiverUniforms(program, context);
       const size_t count = std::min(MapsPerDraw, last - i);
-      this->Impl->DrawBatch(context, emitter, i, count, matrices);
+      vtkSoftShadowPass::SetSampleUniforms(program, context, emitter.Samples.Views.data() + i,
+        emitter.Samples.Weights.data() + i, count, i - first, this->MapSize, this->FilterSize);
       vtkShadowTextureArray* texture = emitter.Maps->GetTexture();
       const bool hasMaps = count > 0;
       if (hasMaps)
@@ -160,23 +122,6 @@ void vtkSampledSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context
       texture->Deactivate();
       context.Receivers->Deactivate();
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSampledSoftShadowPass::Internals::DrawBatch(const vtkSoftShadowContext& context,
-  EmitterSamples& emitter, size_t first, size_t count, std::vector<float>& matrices)
-{
-  vtkShaderProgram* program = this->Shader.GetProgram();
-  for (size_t i = 0; i < count; ++i)
-  {
-    vtkSoftShadowPass::ViewToMap(context, emitter.Views[first + i], &matrices[16 * i]);
-  }
-  program->SetUniformi("sampleCount", static_cast<int>(count));
-  if (count > 0)
-  {
-    program->SetUniformMatrix4x4v("viewToMaps", static_cast<int>(count), matrices.data());
-    program->SetUniform1fv("sampleWeights", static_cast<int>(count), &emitter.Weights[first]);
   }
 }
 

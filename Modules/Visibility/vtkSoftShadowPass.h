@@ -29,12 +29,14 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingSoftShadowsVisibilityModule.h" // For export macro
-#include "vtkShadowEmitter.h"                        // For the emitter of a context
+#include "vtkShadowLightSampling.h"                  // For samples
+#include "vtkShadowMapView.h"                        // For views
 #include "vtkSmartPointer.h"                         // For images
 #include "vtkSoftShadowStatistics.h"                 // For statistics
 #include "vtkSoftShadowsABI.h"                       // For the ABI namespace
 
 #include <memory> // For the implementation
+#include <vector> // For samples
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
@@ -48,7 +50,6 @@ class vtkShadowMapFitter;
 class vtkShadowReceivers;
 class vtkShadowShader;
 class vtkShadowTextureArray;
-struct vtkShadowMapView;
 
 /// What a technique is given for one emitter.
 struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
@@ -73,6 +74,14 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
   /// The depth renderbuffer of the bound framebuffer, the viewport's size: steps before the last,
   /// drawn at depth 0.5 with GL_LESS, touch with it only the pixels that the last step will filter.
   unsigned int Marks = 0;
+};
+
+/// Points of an emitter, each with the view of its map.
+struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowSamples
+{
+  std::vector<vtkShadowMapView> Views;
+  std::vector<float> Weights; // of the views; the emitter's own weight is in them
+  float LitWeight = 0.0f;     // of the points in whose way nothing lies: they have no view
 };
 
 class VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowPass : public vtkOpenGLRenderPass
@@ -218,6 +227,19 @@ protected:
   /// Sets the uniforms of vtkShadowDepthMap and vtkShadowKernel for a view, but for the sampler.
   static void SetMapUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
     const vtkShadowMapView& view, int mapSize);
+
+  /// The views that fit points of the context's emitter, from the points themselves.
+  static vtkSoftShadowSamples FitSamples(
+    const vtkSoftShadowContext& context, const std::vector<vtkShadowLightSampling::Sample>& points);
+
+  /**
+   * Sets the uniforms of vtkShadowSamples and vtkShadowDepthMap, but for the sampler: count views,
+   * at most VTK_SOFT_SHADOW_SAMPLES_PER_DRAW, with their weights, whose maps of mapSize texels lie
+   * in the layers from firstLayer on. filterSize is the edge of the percentage-closer filter.
+   */
+  static void SetSampleUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
+    const vtkShadowMapView* views, const float* weights, size_t count, size_t firstLayer,
+    int mapSize, int filterSize);
 
   /// View to map coordinates, column-major as OpenGL takes it, composed in double.
   static void ViewToMap(

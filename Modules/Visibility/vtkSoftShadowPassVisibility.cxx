@@ -19,6 +19,7 @@
 #include "vtkSoftShadowsOpenGL.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -227,6 +228,49 @@ void vtkSoftShadowPass::SetMapUniforms(vtkShaderProgram* program,
       static_cast<float>(emitter.WindowCenter[1]), static_cast<float>(emitter.WindowHalfSize[0]),
       static_cast<float>(emitter.WindowHalfSize[1]) };
     program->SetUniform4f("emitterWindow", window);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSoftShadowSamples vtkSoftShadowPass::FitSamples(
+  const vtkSoftShadowContext& context, const std::vector<vtkShadowLightSampling::Sample>& points)
+{
+  vtkSoftShadowSamples samples;
+  for (const vtkShadowLightSampling::Sample& point : points)
+  {
+    const double weight = point.Weight * context.Emitter.Weight;
+    vtkShadowMapView view;
+    if (context.Fitter->Fit(context.Emitter.PointAt(point.U, point.V, weight), view))
+    {
+      samples.Views.push_back(view);
+      samples.Weights.push_back(static_cast<float>(weight));
+    }
+    else
+    {
+      samples.LitWeight += static_cast<float>(weight);
+    }
+  }
+  return samples;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::SetSampleUniforms(vtkShaderProgram* program,
+  const vtkSoftShadowContext& context, const vtkShadowMapView* views, const float* weights,
+  size_t count, size_t firstLayer, int mapSize, int filterSize)
+{
+  std::array<float, 16 * VTK_SOFT_SHADOW_SAMPLES_PER_DRAW> matrices;
+  for (size_t i = 0; i < count; ++i)
+  {
+    vtkSoftShadowPass::ViewToMap(context, views[i], &matrices[16 * i]);
+  }
+  program->SetUniformi("sampleCount", static_cast<int>(count));
+  program->SetUniformf("firstLayer", static_cast<float>(firstLayer));
+  program->SetUniformf("depthMapSize", static_cast<float>(mapSize));
+  program->SetUniformi("filterSize", filterSize);
+  if (count > 0)
+  {
+    program->SetUniformMatrix4x4v("viewToMaps", static_cast<int>(count), matrices.data());
+    program->SetUniform1fv("sampleWeights", static_cast<int>(count), weights);
   }
 }
 
