@@ -11,6 +11,7 @@ struct MapPoint
   vec3 std;
   vec2 gradient; // slope of the receiver's plane, d per s and per t
   float bias;    // what rounding and one texel of slope may add to a depth that is the receiver's own
+  bool facesCenter; // the map's centre of projection is on the camera's side of the plane
 };
 
 // Relative rounding of a view position after interpolation, and of the product with a matrix.
@@ -34,6 +35,7 @@ MapPoint toMap(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
   vec3 d1 = (h1.xyz - point.std * h1.w) / w;
   vec3 d2 = (h2.xyz - point.std * h2.w) / w;
   float determinant = d1.x * d2.y - d2.x * d1.y;
+  point.facesCenter = determinant > 0.0;
   // Edge-on planes have no slope; below this one the numbers are noise.
   float least = 1e-5 * length(d1) * length(d2);
   determinant = abs(determinant) < least ? (determinant < 0.0 ? -least : least) : determinant;

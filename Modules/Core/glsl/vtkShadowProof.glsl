@@ -67,11 +67,13 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
 // of the near plane, nor, after the first look, in front of the nearest depth that was met.
 float proveVisibility(MapPoint point, vec2 kernelScale, float layer)
 {
+  // A plane that turns its back on some of the light is blocked there by itself.
+  float lit = point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0 ? 1.0 : -1.0;
   vec2 widest = kernelScale * max(point.std.z, 0.0);
   DepthRange range = searchPyramid(point, widest, layer);
   if (!range.anyBlocker)
   {
-    return 1.0;
+    return lit;
   }
   if (range.allBlockers)
   {
@@ -81,7 +83,7 @@ float proveVisibility(MapPoint point, vec2 kernelScale, float layer)
   DepthRange inner = searchPyramid(point, width, layer);
   if (!inner.anyBlocker)
   {
-    return 1.0;
+    return lit;
   }
   // A kernel much smaller than the search could slip between the search's taps.
   return inner.allBlockers && all(greaterThanEqual(width, widest / 7.0)) ? 0.0 : -1.0;

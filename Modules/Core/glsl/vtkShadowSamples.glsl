@@ -40,7 +40,11 @@ float sampledVisibility(Receiver receiver)
   for (int i = 0; i < sampleCount; ++i)
   {
     MapPoint point = toMap(viewToMaps[i], receiver.positionVs, receiver.normalVs);
-    visibility += sampleWeights[i] * hardVisibility(point, firstLayer + float(i));
+    // A plane that the camera sees from behind is its own blocker, within the bias of the map.
+    if (point.facesCenter)
+    {
+      visibility += sampleWeights[i] * hardVisibility(point, firstLayer + float(i));
+    }
   }
   return visibility;
 }
