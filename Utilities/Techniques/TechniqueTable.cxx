@@ -9,6 +9,7 @@ namespace softshadows
 // A technique is one file with one such function, and its name in the table below.
 Technique MakeSampledTechnique();
 Technique MakePercentageCloserTechnique();
+Technique MakeCascadedTechnique();
 
 //--------------------------------------------------------------------------------------------------
 const std::vector<Technique>& GetTechniques()
@@ -16,6 +17,7 @@ const std::vector<Technique>& GetTechniques()
   static const std::vector<Technique> techniques = {
     MakeSampledTechnique(),
     MakePercentageCloserTechnique(),
+    MakeCascadedTechnique(),
   };
   return techniques;
 }

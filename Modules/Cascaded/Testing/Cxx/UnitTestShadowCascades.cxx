@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Splits, occupied cascades and windows: numbers, no window is opened.
+#include "vtkCamera.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkShadowCascadeWindow.h"
+#include "vtkShadowCascades.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using Body = vtkShadowCasters::Body;
+using Cascade = vtkShadowCascades::Cascade;
+
+// What a camera of 640 x 480 sees.
+vtkShadowCascades::View ViewOf(vtkCamera* camera)
+{
+  vtkShadowCascades::View view;
+  std::copy_n(camera->GetCompositeProjectionTransformMatrix(4.0 / 3.0, -1.0, 1.0)->GetData(), 16,
+    view.WorldToClip.begin());
+  for (int i = 0; i < 4; ++i)
+  {
+    view.WorldToDepth[i] = -camera->GetModelViewTransformMatrix()->GetElement(2, i);
+  }
+  view.Parallel = camera->GetParallelProjection() != 0;
+  return view;
+}
+
+// At the origin, looking along +y, z up, 90 degrees high.
+vtkSmartPointer<vtkCamera> MakeCamera()
+{
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetPosition(0.0, 0.0, 0.0);
+  camera->SetFocalPoint(0.0, 1.0, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetViewAngle(90.0);
+  camera->SetClippingRange(0.1, 1000.0);
+  return camera;
+}
+
+Body MakeBox(double x0, double x1, double y0, double y1, double z0, double z1)
+{
+  Body body;
+  body.Bounds = { { x0, x1, y0, y1, z0, z1 } };
+  return body;
+}
+
+// A wall across the camera's path.
+Body MakeWall(double depth)
+{
+  return MakeBox(-1.0, 1.0, depth, depth, -1.0, 1.0);
+}
+
+// A horizontal rectangle below the camera.
+Body MakeGround(double height, double y0, double y1)
+{
+  Body body = MakeBox(-1000.0, 1000.0, y0, y1, height, height);
+  body.Flat = true;
+  body.Normal = { { 0.0, 0.0, 1.0 } };
+  body.Offset = height;
+  body.Corners = { { { { -1000.0, y0, height } }, { { 1000.0, y0, height } },
+    { { 1000.0, y1, height } }, { { -1000.0, y1, height } } } };
+  return body;
+}
+}
+
+// Zhang et al. 2006: the mean of logarithmic and uniform splits, with the range's own ends.
+TEST(ShadowCascades, SplitsAreTheMeanOfLogarithmicAndUniformOnes)
+{
+  const std::vector<double> splits = vtkShadowCascades::Split(1.0, 1000.0, 3, 0.5);
+  ASSERT_EQ(splits.size(), 4u);
+  EXPECT_DOUBLE_EQ(splits[0], 1.0);
+  EXPECT_NEAR(splits[1], 0.5 * (10.0 + 334.0), 1e-9);
+  EXPECT_NEAR(splits[2], 0.5 * (100.0 + 667.0), 1e-9);
+  EXPECT_DOUBLE_EQ(splits[3], 1000.0);
+  EXPECT_NEAR(vtkShadowCascades::Split(1.0, 1000.0, 3, 1.0)[1], 10.0, 1e-9);
+  EXPECT_NEAR(vtkShadowCascades::Split(-1.0, 2.0, 3, 0.0)[1], 0.0, 1e-12);
+}
+
+// The ground 2 below a camera with a half angle of 45 degrees is seen from depth 2 on.
+TEST(ShadowCascades, DepthsOfAPlaneAreExact)
+{
+  const auto view = ViewOf(MakeCamera());
+  const auto depths = vtkShadowCascades::FindDepths({ MakeGround(-2.0, -500.0, 100.0) }, view);
+  ASSERT_EQ(depths.size(), 1u);
+  EXPECT_NEAR(depths[0].first, 2.0, 1e-4);
+  EXPECT_NEAR(depths[0].second, 100.0, 1e-2);
+}
+
+TEST(ShadowCascades, BodiesOutOfViewHaveNoDepths)
+{
+  const auto view = ViewOf(MakeCamera());
+  EXPECT_TRUE(vtkShadowCascades::FindDepths({ MakeBox(-1, 1, -9, -5, -1, 1) }, view).empty());
+  EXPECT_TRUE(vtkShadowCascades::FindDepths({ MakeBox(50, 60, 5, 6, -1, 1) }, view).empty());
+  Body unlit = MakeWall(5.0);
+  unlit.Receives = false;
+  EXPECT_TRUE(vtkShadowCascades::FindDepths({ unlit }, view).empty());
+}
+
+// A camera inside a box sees all depths up to the box's far side.
+TEST(ShadowCascades, DepthsOfABoxAroundTheCameraBeginAtItsNearPlane)
+{
+  const auto depths =
+    vtkShadowCascades::FindDepths({ MakeBox(-9, 9, -9, 9, -9, 9) }, ViewOf(MakeCamera()));
+  ASSERT_EQ(depths.size(), 1u);
+  EXPECT_NEAR(depths[0].first, 0.1, 1e-5);
+  EXPECT_NEAR(depths[0].second, 9.0, 1e-3);
+}
+
+TEST(ShadowCascades, ReceiversInOneCascadeCostOneCascade)
+{
+  const auto cascades =
+    vtkShadowCascades::Find({ MakeWall(10.0) }, ViewOf(MakeCamera()), 3, 0.5, 0.2);
+  ASSERT_EQ(cascades.size(), 1u);
+  EXPECT_LE(cascades[0].Covered.first, 10.0);
+  EXPECT_GE(cascades[0].Covered.second, 10.0);
+}
+
+TEST(ShadowCascades, AGapBetweenReceiversIsNoCascade)
+{
+  const auto cascades =
+    vtkShadowCascades::Find({ MakeWall(2.0), MakeWall(100.0) }, ViewOf(MakeCamera()), 3, 0.5, 0.2);
+  ASSERT_EQ(cascades.size(), 2u);
+  EXPECT_DOUBLE_EQ(vtkShadowCascades::Weight(cascades[0], 2.0), 1.0);
+  EXPECT_DOUBLE_EQ(vtkShadowCascades::Weight(cascades[1], 100.0), 1.0);
+}
+
+// Whatever the depth, in range or not, band or not.
+TEST(ShadowCascades, WeightsSumToOneAndAreSmooth)
+{
+  for (const double band : { 0.0, 0.2, 1.0 })
+  {
+    for (int count = 1; count <= 4; ++count)
+    {
+      const auto cascades = vtkShadowCascades::Find(
+        { MakeGround(-2.0, 0.0, 300.0) }, ViewOf(MakeCamera()), count, 0.5, band);
+      ASSERT_EQ(cascades.size(), static_cast<size_t>(count));
+      double previous = 1.0;
+      for (double depth = 0.01; depth < 600.0; depth *= 1.001)
+      {
+        double sum = 0.0;
+        for (const Cascade& cascade : cascades)
+        {
+          sum += vtkShadowCascades::Weight(cascade, depth);
+        }
+        ASSERT_NEAR(sum, 1.0, 1e-12) << "depth " << depth << ", " << count << " cascades";
+        const double first = vtkShadowCascades::Weight(cascades[0], depth);
+        ASSERT_LE(first, previous) << "depth " << depth;
+        if (band > 0.1)
+        {
+          ASSERT_LT(previous - first, 0.05) << "depth " << depth;
+        }
+        previous = first;
+      }
+    }
+  }
+}
+
+// Receivers of a weight above 0 are in the sphere, whose maps cover them.
+TEST(ShadowCascades, TheSphereHoldsAllThatTheCascadeShades)
+{
+  const auto camera = MakeCamera();
+  const auto view = ViewOf(camera);
+  const auto cascades =
+    vtkShadowCascades::Find({ MakeGround(-2.0, 0.0, 300.0) }, view, 3, 0.5, 0.2);
+  double clipToWorld[16];
+  vtkMatrix4x4::Invert(view.WorldToClip.data(), clipToWorld);
+  for (int i = 0; i < 4000; ++i)
+  {
+    const double clip[4] = { (i % 20) / 9.5 - 1.0, (i / 20 % 20) / 9.5 - 1.0,
+      1.0 - 0.2 * std::pow(0.6, i / 400), 1.0 };
+    double p[4];
+    vtkMatrix4x4::MultiplyPoint(clipToWorld, clip, p);
+    const std::array<double, 3> world = { { p[0] / p[3], p[1] / p[3], p[2] / p[3] } };
+    const double depth = world[1];
+    for (const Cascade& cascade : cascades)
+    {
+      if (vtkShadowCascades::Weight(cascade, depth) > 0.0 && depth >= cascade.Covered.first &&
+        depth <= cascade.Covered.second)
+      {
+        const double distance =
+          std::sqrt(vtkMath::Distance2BetweenPoints(world.data(), cascade.Center.data()));
+        ASSERT_LE(distance, cascade.Radius * (1.0 + 1e-6)) << "depth " << depth;
+      }
+    }
+  }
+}
+
+// A walk changes neither the splits nor the spheres' sizes, but at a few places.
+TEST(ShadowCascades, AWalkKeepsTheSpheres)
+{
+  const auto camera = MakeCamera();
+  int changes = 0;
+  double radius = 0.0;
+  for (int step = 0; step < 100; ++step)
+  {
+    camera->SetPosition(0.0, 0.1 * step, 0.0);
+    camera->SetFocalPoint(0.3, 1.0 + 0.1 * step, 0.1);
+    const auto cascades =
+      vtkShadowCascades::Find({ MakeGround(-2.0, -500.0, 500.0) }, ViewOf(camera), 3, 0.5, 0.2);
+    changes += std::abs(cascades[0].Radius - radius) > 1e-6 * radius ? 1 : 0;
+    radius = cascades[0].Radius;
+  }
+  EXPECT_LE(changes, 2);
+}
+
+namespace
+{
+vtkShadowMapView MakeSunView()
+{
+  vtkShadowMapView view;
+  view.Emitter.Directional = true;
+  view.Emitter.Direction = { { 0.0, 0.6, -0.8 } };
+  view.Emitter.AxisV = { { 0.0, 0.8, 0.6 } };
+  vtkMath::Cross(
+    view.Emitter.Direction.data(), view.Emitter.AxisV.data(), view.Emitter.AxisU.data());
+  view.Window = { { -500.0, 500.0, -500.0, 500.0 } };
+  view.Near = -100.0;
+  view.Far = 100.0;
+  return view;
+}
+}
+
+// The window holds the sphere with its border, keeps its size, and moves by whole texels.
+TEST(ShadowCascadeWindow, MovesByWholeTexels)
+{
+  constexpr int resolution = 512;
+  double edge = 0.0;
+  for (int step = 0; step < 200; ++step)
+  {
+    const std::array<double, 3> center = { { 3.0 + 0.0371 * step, 5.0 - 0.0713 * step, 1.0 } };
+    vtkShadowMapView view = MakeSunView();
+    ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 7.0, resolution, 3, view));
+    const double size = view.Window[1] - view.Window[0];
+    if (step > 0)
+    {
+      ASSERT_DOUBLE_EQ(size, edge);
+    }
+    edge = size;
+    const double texel = size / resolution;
+    EXPECT_LE(size, 14.0 * std::exp2(0.25) * 1.05);
+    for (const int i : { 0, 2 })
+    {
+      const double cells = view.Window[i] / texel;
+      ASSERT_NEAR(cells, std::round(cells), 1e-6);
+      const double* axis = i == 0 ? view.Emitter.AxisU.data() : view.Emitter.AxisV.data();
+      const double middle = vtkMath::Dot(axis, center.data());
+      ASSERT_LE(view.Window[i], middle - 7.0 - 3.0 * texel + 1e-9);
+      ASSERT_GE(view.Window[i + 1], middle + 7.0 + 3.0 * texel - 1e-9);
+    }
+    EXPECT_DOUBLE_EQ(view.Near, -100.0);
+    EXPECT_DOUBLE_EQ(view.Far, 100.0);
+  }
+}
+
+TEST(ShadowCascadeWindow, KeepsAFitThatIsSmaller)
+{
+  vtkShadowMapView view = MakeSunView();
+  const vtkShadowMapView fit = view;
+  EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, 0.0 } }, 700.0, 512, 3, view));
+  EXPECT_TRUE(view == fit);
+}
+
+TEST(ShadowCascadeWindow, NoCasterInFrontOfTheSphereNeedsNoMap)
+{
+  vtkShadowMapView view = MakeSunView();
+  EXPECT_FALSE(vtkShadowCascadeWindow::Cut({ { 600.0, 0.0, 0.0 } }, 50.0, 512, 3, view));
+  EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 549.0, 0.0, 0.0 } }, 50.0, 512, 3, view));
+}
+
+// What a lamp sees of the sphere, by points on it.
+TEST(ShadowCascadeWindow, ALampsWindowHoldsTheSphere)
+{
+  vtkShadowMapView fit;
+  fit.Window = { { -8.0, 8.0, -8.0, 8.0 } };
+  fit.Near = 0.1;
+  fit.Far = 100.0;
+  const std::array<double, 3> center = { { 3.0, -2.0, -6.0 } };
+  vtkShadowMapView view = fit;
+  ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 2.0, 1024, 3, view));
+  EXPECT_LT(view.Window[1] - view.Window[0], 4.0);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double polar = std::acos(1.0 - 2.0 * (i + 0.5) / 1000.0);
+    const double angle = i * 2.399963;
+    const double world[4] = { center[0] + 2.0 * std::sin(polar) * std::cos(angle),
+      center[1] + 2.0 * std::sin(polar) * std::sin(angle), center[2] + 2.0 * std::cos(polar), 1.0 };
+    double map[4];
+    vtkMatrix4x4::MultiplyPoint(view.WorldToMap().data(), world, map);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      ASSERT_GT(map[axis] / map[3], 3.0 / 1024.0);
+      ASSERT_LT(map[axis] / map[3], 1.0 - 3.0 / 1024.0);
+    }
+  }
+  // A lamp inside the sphere looks everywhere.
+  view = fit;
+  EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, -1.0 } }, 2.0, 1024, 3, view));
+  EXPECT_TRUE(view == fit);
+}

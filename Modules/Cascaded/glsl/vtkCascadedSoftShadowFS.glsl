@@ -1,0 +1,27 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+
+// A cascade's part of the visibility: hard shadows from points of the light, weighted by how much
+// of the receiver's depth is the cascade's.
+
+//SoftShadows::Include vtkShadowReceiver
+//SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowSamples
+
+uniform vec2 fadeIn;     // depths over which the cascade's weight rises
+uniform vec2 fadeOut;    // and falls
+uniform float litWeight; // of the points that see everything
+
+void main()
+{
+  Receiver receiver;
+  loadReceiver(ivec2(gl_FragCoord.xy), receiver);
+  float depth = -receiver.positionVs.z;
+  float share = smoothstep(fadeIn.x, fadeIn.y, depth) * (1.0 - smoothstep(fadeOut.x, fadeOut.y, depth));
+  float visibility = 0.0;
+  if (share > 0.0)
+  {
+    visibility = share * (litWeight + sampledVisibility(receiver));
+  }
+  gl_FragData[0] = vec4(visibility);
+}

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCascadedSoftShadowPass
+ * @brief   Cascaded multi-sample soft shadow maps: many light samples near the camera, few far away.
+ *
+ * The visibility is the mean of hard shadows from points of the light (Zerari et al. 2023, "Accurate
+ * approximation of soft shadows for real-time rendering"). The view is cut by depth into cascades;
+ * each has its own number of points, resolution of their depth maps and percentage-closer filter, so
+ * that what is far, and small on the screen, costs little.
+ *
+ * Stages, per emitter:
+ *  1. splits: cut the depths that receivers can occupy (vtkShadowCascades); parts without receivers
+ *     cost nothing;
+ *  2. sample: points of the emitter with weights that integrate it;
+ *  3. fit: each point's map covers the cascade's receivers and every caster between them and the
+ *     light (vtkShadowCascadeWindow), snapped so that a moving camera does not stir the shadows;
+ *  4. bake the maps that changed, all of one resolution in one texture array;
+ *  5. look: the weighted mean of the filtered hard shadows, blended over a band between cascades.
+ *
+ * The first occupied cascade takes the first settings, the next one the second, and so on. Where the
+ * casters' fit is smaller than a cascade its maps do not depend on the camera at all.
+ *
+ * Points are cell-centred with the weights 1 / k^2; the paper's grid to the light's border, with
+ * those weights, widens the penumbra.
+ *
+ * @sa vtkSampledSoftShadowPass vtkShadowCascades
+ */
+
+#ifndef vtkCascadedSoftShadowPass_h
+#define vtkCascadedSoftShadowPass_h
+
+#include "vtkRenderingSoftShadowsCascadedModule.h" // For export macro
+#include "vtkShadowLightSampling.h"                // For patterns
+#include "vtkSoftShadowPass.h"
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <array>  // For settings
+#include <memory> // For the implementation
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkCascadedSoftShadowPass : public vtkSoftShadowPass
+{
+public:
+  static vtkCascadedSoftShadowPass* New();
+  vtkTypeMacro(vtkCascadedSoftShadowPass, vtkSoftShadowPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  static constexpr int MaximumNumberOfCascades = 4;
+
+  enum ResolutionType
+  {
+    HIGH = 0,   ///< MapSize texels along an edge
+    MEDIUM = 1, ///< half as many
+    LOW = 2     ///< a quarter as many
+  };
+
+  ///@{
+  /**
+   * Parts into which the receivers' depths are cut, in [1, 4]. Default is 3.
+   */
+  vtkSetClampMacro(NumberOfCascades, int, 1, MaximumNumberOfCascades);
+  vtkGetMacro(NumberOfCascades, int);
+  ///@}
+
+  ///@{
+  /**
+   * Share of the logarithmic in the split scheme, in [0, 1]; the rest is uniform. 1 gives every
+   * cascade the same resolution on the screen and tiny near cascades. A parallel camera is always
+   * split uniformly. Default is 0.5.
+   */
+  vtkSetClampMacro(SplitLambda, double, 0.0, 1.0);
+  vtkGetMacro(SplitLambda, double);
+  ///@}
+
+  ///@{
+  /**
+   * Part of the shorter of two neighbouring cascades over which they blend, in [0, 1]. Pixels there
+   * cost both. Default is 0.2.
+   */
+  vtkSetClampMacro(BlendBand, double, 0.0, 1.0);
+  vtkGetMacro(BlendBand, double);
+  ///@}
+
+  ///@{
+  /**
+   * Points of the light along an edge: a cascade has their square, each with a map. cascade is in
+   * [0, 3], near to far; others are refused with an error. Edges are clamped to [1, 32]. Default is
+   * 4, 3, 2, 2.
+   */
+  void SetSampleEdge(int cascade, int edge);
+  int GetSampleEdge(int cascade) const;
+  ///@}
+
+  ///@{
+  /**
+   * Resolution of a cascade's maps, a ResolutionType. Default is HIGH, MEDIUM, LOW, LOW.
+   */
+  void SetResolution(int cascade, int resolution);
+  int GetResolution(int cascade) const;
+  ///@}
+
+  ///@{
+  /**
+   * Edge in texels of the percentage-closer filter over a cascade's maps, in [1, 15]; 1 is none.
+   * Default is 5, 3, 2, 2.
+   */
+  void SetFilterSize(int cascade, int size);
+  int GetFilterSize(int cascade) const;
+  ///@}
+
+  ///@{
+  /**
+   * How the points are spread; see vtkShadowLightSampling::PatternType. Default is GRID.
+   */
+  vtkSetClampMacro(Pattern, int, vtkShadowLightSampling::GRID, vtkShadowLightSampling::HAMMERSLEY);
+  vtkGetMacro(Pattern, int);
+  ///@}
+
+  ///@{
+  /**
+   * Weights of the points: uniform, or N(0, 0.5) over the light's window. Default is MEAN.
+   */
+  vtkSetClampMacro(Weights, int, vtkShadowLightSampling::MEAN, vtkShadowLightSampling::GAUSSIAN);
+  vtkGetMacro(Weights, int);
+  ///@}
+
+  ///@{
+  /**
+   * Tints the picture by cascade, for debugging: red, green, blue, yellow, near to far. Default is
+   * off.
+   */
+  vtkSetMacro(Tint, bool);
+  vtkGetMacro(Tint, bool);
+  vtkBooleanMacro(Tint, bool);
+  ///@}
+
+  /// Cascades that had receivers when the visibility was drawn last.
+  int GetNumberOfOccupiedCascades() const;
+
+protected:
+  vtkCascadedSoftShadowPass();
+  ~vtkCascadedSoftShadowPass() override;
+
+  void AddVisibility(const vtkSoftShadowContext& context) override;
+  bool NeedsEmitterMap() const override { return false; }
+  /// A map of the whole light is coarser than the cascades': what it proves is not their truth.
+  int GetProof() const override { return PROVES_NOTHING; }
+  bool HasGaussianWeights() const override;
+  vtkTypeInt64 GetTechniqueBytes() override;
+  vtkTypeInt64 GetTechniqueDrawCalls() override;
+  int GetTechniqueShaderBuilds() override;
+
+  int NumberOfCascades = 3;
+  double SplitLambda = 0.5;
+  double BlendBand = 0.2;
+  std::array<int, MaximumNumberOfCascades> SampleEdges = { { 4, 3, 2, 2 } };
+  std::array<int, MaximumNumberOfCascades> Resolutions = { { HIGH, MEDIUM, LOW, LOW } };
+  std::array<int, MaximumNumberOfCascades> FilterSizes = { { 5, 3, 2, 2 } };
+  int Pattern = vtkShadowLightSampling::GRID;
+  int Weights = vtkShadowLightSampling::MEAN;
+  bool Tint = false;
+
+private:
+  vtkCascadedSoftShadowPass(const vtkCascadedSoftShadowPass&) = delete;
+  void operator=(const vtkCascadedSoftShadowPass&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+
+  void Change(std::array<int, MaximumNumberOfCascades>& values, int cascade, int value);
+  int Read(const std::array<int, MaximumNumberOfCascades>& values, int cascade) const;
+  void DrawTint(const vtkRenderState* s);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowCascadeWindow.h"
+
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr double StepsPerOctave = 4.0; // of the window's edge
+constexpr double WidestAngle = 85.0;   // degrees; the fitter's limit too
+
+struct Range
+{
+  double Low;
+  double High;
+};
+
+// Along one axis of the map, the sphere's projection: center is (along the axis, along the light).
+// False if it has no end.
+bool Project(double across, double along, double radius, bool directional, Range& range)
+{
+  if (directional)
+  {
+    range = { across - radius, across + radius };
+    return true;
+  }
+  const double distance = std::hypot(across, along);
+  if (distance <= radius)
+  {
+    return false;
+  }
+  const double middle = std::atan2(across, along);
+  const double spread = std::asin(radius / distance);
+  const double widest = vtkMath::RadiansFromDegrees(WidestAngle);
+  if (middle - spread <= -widest || middle + spread >= widest)
+  {
+    return false;
+  }
+  range = { std::tan(middle - spread), std::tan(middle + spread) };
+  return true;
+}
+
+// Cuts a window's edge [low, high] to the range; false if they are apart.
+bool CutEdge(const Range& range, int resolution, int border, double& low, double& high)
+{
+  const double fitted = high - low;
+  const double wanted = (range.High - range.Low) / (1.0 - 2.0 * (border + 1.0) / resolution);
+  const double edge = std::exp2(std::ceil(StepsPerOctave * std::log2(wanted)) / StepsPerOctave);
+  const double texel = edge / resolution;
+  if (range.Low - border * texel > high || range.High + border * texel < low)
+  {
+    return false;
+  }
+  if (!(edge < fitted))
+  {
+    return true;
+  }
+  // The first texel of the window, in a grid through the light's axis.
+  const double middle = 0.5 * (range.Low + range.High);
+  const double first =
+    std::min(std::max(std::floor(middle / texel) - resolution / 2, std::floor(low / texel)),
+      std::ceil(high / texel) - resolution);
+  low = first * texel;
+  high = (first + resolution) * texel;
+  return true;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool vtkShadowCascadeWindow::Cut(const std::array<double, 3>& center, double radius, int resolution,
+  int border, vtkShadowMapView& view)
+{
+  const double world[4] = { center[0], center[1], center[2], 1.0 };
+  double p[4];
+  vtkMatrix4x4::MultiplyPoint(view.Emitter.WorldToEmitter().data(), world, p);
+  const bool directional = view.Emitter.Directional;
+  Range ranges[2];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    if (!Project(p[axis], p[2], radius, directional, ranges[axis]))
+    {
+      // The light is among the receivers, or sees them too far aside.
+      return true;
+    }
+  }
+  return CutEdge(ranges[0], resolution, border, view.Window[0], view.Window[1]) &&
+    CutEdge(ranges[1], resolution, border, view.Window[2], view.Window[3]);
+}
+VTK_ABI_NAMESPACE_END

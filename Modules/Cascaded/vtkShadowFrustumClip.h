@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkShadowFrustumClip
+ * @brief   At which depths the part of a body that lies in a camera's frustum can be seen.
+ */
+
+#ifndef vtkShadowFrustumClip_h
+#define vtkShadowFrustumClip_h
+
+#include "vtkShadowCasters.h"  // For the bodies
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <array>   // For matrices
+#include <utility> // For intervals
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkShadowFrustumClip
+{
+public:
+  /// World to clip coordinates and world to view depth, row-major.
+  vtkShadowFrustumClip(
+    const std::array<double, 16>& worldToClip, const std::array<double, 4>& worldToDepth);
+
+  /// False if no part of the body is in the frustum.
+  bool FindDepths(const vtkShadowCasters::Body& body, std::pair<double, double>& depths) const;
+
+  /// Depths of the near and the far plane.
+  std::pair<double, double> GetDepths() const;
+
+  /// Where the frustum's edge (0 to 3, around it) passes a depth, in world coordinates.
+  std::array<double, 3> CornerAt(int edge, double depth) const;
+
+private:
+  void AddPolygon(
+    const std::array<std::array<double, 3>, 4>& corners, std::pair<double, double>& depths) const;
+
+  std::array<double, 16> WorldToClip;
+  std::array<double, 4> WorldToDepth;
+  /// Ends of the frustum's edges on the near and on the far plane, and their depths.
+  std::array<std::array<std::array<double, 3>, 2>, 4> Edges;
+  std::array<std::array<double, 2>, 4> EdgeDepths;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TechniqueOptions.h"
+
+#include "vtkCascadedSoftShadowPass.h"
+#include "vtkNew.h"
+
+#include <string>
+
+namespace softshadows
+{
+namespace
+{
+
+// "edge_0" to "edge_3" and the like.
+void AddCascadeOptions(Technique& technique, int cascade)
+{
+  using Pass = vtkCascadedSoftShadowPass;
+  const std::string number = std::to_string(cascade);
+  technique.Options.push_back(WithRange(
+    MakeOption<Pass>(
+      TechniqueOption::Kind::Integer, "edge_" + number,
+      "points of the light along an edge in cascade " + number + ", 0 the nearest",
+      [cascade](Pass* pass, double value)
+      { pass->SetSampleEdge(cascade, static_cast<int>(value)); },
+      [cascade](Pass* pass) { return static_cast<double>(pass->GetSampleEdge(cascade)); }),
+    1, 32));
+  technique.Options.push_back(WithChoices(
+    MakeOption<Pass>(
+      TechniqueOption::Kind::Choice, "resolution_" + number,
+      "of the maps of cascade " + number + ": all, a half or a quarter of map_size",
+      [cascade](Pass* pass, double value)
+      { pass->SetResolution(cascade, static_cast<int>(value)); },
+      [cascade](Pass* pass) { return static_cast<double>(pass->GetResolution(cascade)); }),
+    { "high", "medium", "low" }));
+  technique.Options.push_back(WithRange(
+    MakeOption<Pass>(
+      TechniqueOption::Kind::Integer, "filter_" + number,
+      "texels along an edge of the filter over the maps of cascade " + number + "; 1 is none",
+      [cascade](Pass* pass, double value)
+      { pass->SetFilterSize(cascade, static_cast<int>(value)); },
+      [cascade](Pass* pass) { return static_cast<double>(pass->GetFilterSize(cascade)); }),
+    1, 15));
+}
+
+}
+
+Technique MakeCascadedTechnique()
+{
+  vtkNew<vtkCascadedSoftShadowPass> owner;
+  vtkCascadedSoftShadowPass* pass = owner;
+  Technique technique = MakeTechnique("cascaded",
+    "the mean of hard shadows from points of the light, fewer where the view is far", pass);
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, NumberOfCascades, "cascades", "parts of the view by depth, with maps of their own"));
+  technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(pass, SplitLambda, "lambda",
+    "share of the logarithmic in the split of the view; the rest is uniform"));
+  technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
+    pass, BlendBand, "blend", "part of a cascade over which it blends into the next"));
+  for (int i = 0; i < vtkCascadedSoftShadowPass::MaximumNumberOfCascades; ++i)
+  {
+    AddCascadeOptions(technique, i);
+  }
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
+    pass, Pattern, "pattern", "how the points are spread", { "grid", "stratified", "hammersley" }));
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
+    pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
+  technique.Options.push_back(
+    SOFTSHADOWS_FLAG_OPTION(pass, Tint, "tint", "tint the picture by cascade"));
+  return technique;
+}
+
+}
