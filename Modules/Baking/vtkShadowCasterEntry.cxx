@@ -65,6 +65,8 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Refresh(const vtkShadowCaster
     this->Route = source.Route;
     this->Reshaped = true;
     this->Moved = true;
+    this->UnchangedUpdates = 0;
+    this->Orientation = 0;
     this->Geometry.Clear();
     if (source.IsHull)
     {
@@ -86,6 +88,7 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Refresh(const vtkShadowCaster
     this->Body.Casts = casts;
     this->Body.Receives = receives;
   }
+  this->FindFacing();
   return change;
 }
 
@@ -126,6 +129,28 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Place(
   }
   change.Casters = change.Casters || (this->Body.Casts && hadBody != this->HasBody);
   return change;
+}
+
+//------------------------------------------------------------------------------
+// Looking for closed surfaces pays where the same triangles are drawn many times: not if they change
+// all the time, and not if they are so many that the search would be felt.
+void vtkShadowCasterEntry::FindFacing()
+{
+  constexpr int PATIENCE = 2;
+  constexpr std::size_t MOST_INDICES = 3 * 300000;
+  if (this->UnchangedUpdates <= PATIENCE && ++this->UnchangedUpdates == PATIENCE &&
+    this->IsInBuffer() && this->Geometry.GetIndices().size() <= MOST_INDICES)
+  {
+    this->Orientation = this->Geometry.FindOrientation();
+  }
+  this->Facing = this->Orientation;
+  if (this->Orientation != 0)
+  {
+    const auto& m = this->Matrix;
+    const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) -
+      m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
+    this->Facing *= determinant > 0.0 ? 1 : (determinant < 0.0 ? -1 : 0);
+  }
 }
 
 //------------------------------------------------------------------------------

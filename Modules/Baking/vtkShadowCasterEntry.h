@@ -43,6 +43,10 @@ public:
    */
   std::array<bool, 2> HasReceivers{ { true, true } };
 
+  /// Of the map that is drawn now: GetFacing(), or 0 for both sides, or NO_SIDE.
+  static constexpr int NO_SIDE = 2;
+  int SideToDraw = NO_SIDE;
+
   /// Takes over what the prop is now. Geometry is rebuilt if the prop's shape changed.
   Change Refresh(const vtkShadowCasterSource& source, const std::array<double, 16>& matrix,
     bool casts, bool receives);
@@ -66,8 +70,13 @@ public:
   }
   const vtkShadowCasterBuffer::Range& GetRange() const { return this->Range; }
 
+  /// 1 or -1 if a light outside the body's box sees only the triangles that turn counterclockwise
+  /// or clockwise, 0 if it may see both.
+  int GetFacing() const { return this->Facing; }
+
 private:
   bool IsInBuffer() const { return this->Route == vtkShadowCasterSource::BUFFER; }
+  void FindFacing();
   bool FindBody(const std::array<double, 3>& origin, std::vector<float>& scratch);
   void FindPlane();
   Change Write(vtkShadowCasterBuffer& buffer, const std::vector<float>& scratch);
@@ -76,6 +85,9 @@ private:
   std::uint64_t Signature = 0;
   bool Moved = true;
   bool Reshaped = true;
+  int UnchangedUpdates = 0; // of the geometry
+  int Orientation = 0;      // of the geometry
+  int Facing = 0;
   vtkShadowCasterGeometry Geometry;
   vtkShadowCasterBuffer::Range Range;
 };

@@ -8,6 +8,7 @@
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkShadowCasterOrientation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -273,6 +274,15 @@ bool vtkShadowCasterGeometry::Transform(
       high[i] < std::numeric_limits<float>::max();
   }
   return finite;
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowCasterGeometry::FindOrientation() const
+{
+  std::vector<double> points;
+  points.reserve(3 * this->NumberOfVertices);
+  this->ForEachVertex([&points](const double* p) { points.insert(points.end(), p, p + 3); });
+  return vtkShadowCasterOrientation::Find(points, this->Indices);
 }
 
 //------------------------------------------------------------------------------

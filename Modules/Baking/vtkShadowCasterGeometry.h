@@ -47,6 +47,9 @@ public:
   /// If flat: the corners of a rectangle in that plane that holds all vertices, in order around it.
   const std::array<std::array<double, 3>, 4>& GetCorners() const { return this->Corners; }
 
+  /// See vtkShadowCasterOrientation.
+  int FindOrientation() const;
+
 private:
   /// The points of one piece; vertex i is point Ids[i], or point i if Ids is empty.
   struct Piece

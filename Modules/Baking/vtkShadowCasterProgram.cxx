@@ -20,12 +20,14 @@ vtkShadowCasterProgram::ScopedState::ScopedState(vtkOpenGLState* state)
   : DepthTest(state, GL_DEPTH_TEST)
   , CullFace(state, GL_CULL_FACE)
   , Blend(state, GL_BLEND)
+  , State(state)
   , DepthMask(state)
   , DepthFunc(state)
   , ColorMask(state)
   , HadDepthClamp(glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE)
   , HadPolygonOffset(glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE)
 {
+  state->vtkglGetIntegerv(GL_CULL_FACE_MODE, &this->CullFaceMode);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_BLEND);
@@ -40,6 +42,7 @@ vtkShadowCasterProgram::ScopedState::ScopedState(vtkOpenGLState* state)
 //------------------------------------------------------------------------------
 vtkShadowCasterProgram::ScopedState::~ScopedState()
 {
+  this->State->vtkglCullFace(static_cast<unsigned int>(this->CullFaceMode));
   if (!this->HadDepthClamp)
   {
     glDisable(GL_DEPTH_CLAMP);
@@ -97,6 +100,18 @@ bool vtkShadowCasterProgram::Use(vtkOpenGLRenderWindow* window, const vtkShadowM
       "leastW", view.Emitter.Directional ? 0.5f : static_cast<float>(LEAST * view.Near));
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterProgram::SetSide(vtkOpenGLState* state, int side)
+{
+  if (side == 0)
+  {
+    state->vtkglDisable(GL_CULL_FACE);
+    return;
+  }
+  state->vtkglEnable(GL_CULL_FACE);
+  state->vtkglCullFace(side > 0 ? GL_BACK : GL_FRONT);
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,8 @@ public:
     vtkOpenGLState::ScopedglEnableDisable DepthTest;
     vtkOpenGLState::ScopedglEnableDisable CullFace;
     vtkOpenGLState::ScopedglEnableDisable Blend;
+    int CullFaceMode = 0;
+    vtkOpenGLState* State;
     vtkOpenGLState::ScopedglDepthMask DepthMask;
     vtkOpenGLState::ScopedglDepthFunc DepthFunc;
     vtkOpenGLState::ScopedglColorMask ColorMask;
@@ -44,6 +46,9 @@ public:
   /// Makes the program current with its uniforms for the view. False if it does not compile.
   bool Use(vtkOpenGLRenderWindow* window, const vtkShadowMapView& view,
     const std::array<double, 3>& origin, int resolution, bool conservative);
+
+  /// Draw only triangles that turn counterclockwise (1), clockwise (-1), or all (0).
+  static void SetSide(vtkOpenGLState* state, int side);
 
   /// Where the current program takes the vertices.
   unsigned int GetLocation() const { return this->Location; }

@@ -100,6 +100,20 @@ public:
   {
   }
 
+  // From inside a closed surface its other side is seen, and maybe from inside its box.
+  int GetSide(const vtkShadowCasterEntry& entry) const
+  {
+    if (this->View.Emitter.Directional)
+    {
+      return entry.GetFacing();
+    }
+    const auto& eye = this->View.Emitter.Center;
+    const auto& box = entry.Body.Bounds;
+    const bool inside = eye[0] >= box[0] && eye[0] <= box[1] && eye[1] >= box[2] &&
+      eye[1] <= box[3] && eye[2] >= box[4] && eye[2] <= box[5];
+    return inside ? 0 : entry.GetFacing();
+  }
+
   bool operator()(const vtkShadowCasterEntry& entry) const
   {
     return entry.HasBody && entry.Body.Casts && !this->Planes.Excludes(entry.Body.Bounds) &&
@@ -156,6 +170,7 @@ public:
   void PlaceEntries();
   bool MoveOrigin();
   void CollectBodies();
+  int DrawSide(int side);
   void FindReceiversOfPlanes();
   bool HasReceivers(const vtkShadowCasters::Body& plane, int lightSide, const Body& all) const;
 };
@@ -307,6 +322,20 @@ void vtkShadowCasters::Internals::CollectBodies()
       this->Bodies.push_back(entry.Body);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowCasters::Internals::DrawSide(int side)
+{
+  this->Buffer.Begin();
+  for (const vtkShadowCasterEntry& entry : this->Entries)
+  {
+    if (entry.SideToDraw == side)
+    {
+      this->Buffer.Add(entry.GetRange());
+    }
+  }
+  return this->Buffer.Draw(this->Program.GetLocation());
 }
 
 //------------------------------------------------------------------------------
@@ -488,6 +517,15 @@ int vtkShadowCasters::GetNumberOfMapperCasters() const
 }
 
 //------------------------------------------------------------------------------
+int vtkShadowCasters::GetNumberOfClosedCasters() const
+{
+  const auto& entries = this->Impl->Entries;
+  return static_cast<int>(std::count_if(entries.begin(), entries.end(),
+    [](const vtkShadowCasterEntry& entry)
+    { return entry.DrawsFromBuffer() && entry.GetFacing() != 0; }));
+}
+
+//------------------------------------------------------------------------------
 vtkTypeInt64 vtkShadowCasters::GetBytes() const
 {
   return this->Impl->Buffer.GetBytes();
@@ -500,14 +538,15 @@ int vtkShadowCasters::Draw(
   Internals& impl = *this->Impl;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const DrawTest test(view);
-  impl.Buffer.Begin();
+  std::array<bool, 3> sides{}; // clockwise, both, counterclockwise
   bool mappers = false;
-  for (const vtkShadowCasterEntry& entry : impl.Entries)
+  for (vtkShadowCasterEntry& entry : impl.Entries)
   {
-    if (test(entry))
+    entry.SideToDraw = test(entry) ? test.GetSide(entry) : vtkShadowCasterEntry::NO_SIDE;
+    if (entry.SideToDraw != vtkShadowCasterEntry::NO_SIDE)
     {
       mappers = mappers || entry.DrawsThroughMapper();
-      impl.Buffer.Add(entry.GetRange());
+      sides[static_cast<std::size_t>(entry.SideToDraw + 1)] = true;
     }
   }
 
@@ -515,7 +554,15 @@ int vtkShadowCasters::Draw(
   const vtkShadowCasterProgram::ScopedState state(window->GetState());
   if (impl.Program.Use(window, view, impl.Origin, resolution, conservative))
   {
-    calls += impl.Buffer.Draw(impl.Program.GetLocation());
+    for (int side = -1; side <= 1; ++side)
+    {
+      if (sides[static_cast<std::size_t>(side + 1)])
+      {
+        impl.Program.SetSide(window->GetState(), conservative ? 0 : side);
+        calls += impl.DrawSide(side);
+      }
+    }
+    impl.Program.SetSide(window->GetState(), 0);
   }
   if (!mappers)
   {
@@ -524,7 +571,7 @@ int vtkShadowCasters::Draw(
   vtkShadowMapperCasters drawer(renderer, impl.Camera, view);
   for (const vtkShadowCasterEntry& entry : impl.Entries)
   {
-    if (entry.DrawsThroughMapper() && test(entry))
+    if (entry.DrawsThroughMapper() && entry.SideToDraw != vtkShadowCasterEntry::NO_SIDE)
     {
       impl.Matrix->DeepCopy(entry.Matrix.data());
       drawer.Draw(entry.Prop, entry.IsLeaf ? impl.Matrix.GetPointer() : nullptr);

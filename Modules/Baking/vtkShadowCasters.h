@@ -98,12 +98,14 @@ public:
   vtkTypeInt64 GetNumberOfTriangles() const;
   int GetNumberOfCasters() const;
   int GetNumberOfMapperCasters() const;
+  /// Closed surfaces, of which only the side towards the light is drawn.
+  int GetNumberOfClosedCasters() const;
   vtkTypeInt64 GetBytes() const;
   ///@}
 
   /**
    * Draws the casters (see EffectiveOnly) whose boxes touch the view's frustum into the framebuffer and viewport that are
-   * bound now, depth only (depth test on, colour writes off, both sides of every triangle, depth
+   * bound now, depth only (depth test on, colour writes off, both sides of what is not closed, depth
    * clamped to the view's range so that nothing in front of Near is lost). With conservative, every
    * texel that a triangle touches gets the least depth the triangle's plane has within the texel
    * (not less than the triangle's own); mapper-drawn casters are rasterised normally.

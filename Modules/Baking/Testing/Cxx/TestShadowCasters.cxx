@@ -3,11 +3,13 @@
 // What casts, and when it changes.
 #include "BakingScene.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkCubeSource.h"
+#include "vtkCylinderSource.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
@@ -15,6 +17,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkReverseSense.h"
+#include "vtkSphereSource.h"
 #include "vtkTransform.h"
 
 #include <gtest/gtest.h>
@@ -440,4 +444,59 @@ TEST(ShadowCasters, PlanesThatShadowNothingAreLeftOut)
   below.Emitter.HalfSize = { { 0.1, 0.1 } };
   below.Emitter.Center = { { -5.0, 0.0, 0.0 } };
   EXPECT_EQ(scene.Bake({ below }, RESOLUTION), 1);
+}
+
+//------------------------------------------------------------------------------
+// Only the side towards the light is drawn of what is closed, and the map is the same.
+TEST(ShadowCasters, ClosedSurfacesCastTheSameFromOneSide)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(16);
+  sphere->SetPhiResolution(16);
+  vtkNew<vtkCubeSource> cube; // each corner three times
+  vtkNew<vtkReverseSense> reversed;
+  reversed->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkCylinderSource> open;
+  open->CappingOff();
+  vtkNew<vtkAppendPolyData> mixed; // parts that turn different ways, the outer one inwards
+  mixed->AddInputConnection(cube->GetOutputPort());
+  mixed->AddInputConnection(reversed->GetOutputPort());
+  vtkNew<vtkPlaneSource> plane;
+  const std::vector<std::pair<vtkAlgorithm*, bool>> shapes{ { sphere, true }, { cube, true },
+    { reversed, true }, { open, false }, { mixed, false }, { plane, false } };
+  for (const auto& shape : shapes)
+  {
+    for (const bool mirrored : { false, true })
+    {
+      BakingScene scene;
+      auto actor = scene.AddActor(shape.first);
+      vtkNew<vtkTransform> place;
+      place->RotateWXYZ(40.0, 1.0, 0.3, 0.2);
+      place->Scale(mirrored ? -1.5 : 1.5, 1.5, 1.2);
+      actor->SetUserTransform(place);
+      vtkShadowMapView view = MakeView();
+      view.Emitter.Directional = false;
+      view.Window = { { -0.3, 0.3, -0.3, 0.3 } };
+      const auto both = scene.BakeDepths(view, RESOLUTION);
+      ASSERT_EQ(scene.Casters->GetNumberOfClosedCasters(), 0) << "not looked at yet";
+      scene.Casters->Update(scene.Renderer);
+      scene.Casters->Update(scene.Renderer);
+      EXPECT_EQ(scene.Casters->GetNumberOfClosedCasters(), shape.second ? 1 : 0)
+        << shape.first->GetClassName();
+      view.Near -= 1e-9; // bakes again
+      const auto one = scene.BakeDepths(view, RESOLUTION);
+      int covered = 0;
+      for (size_t i = 0; i < both.size(); ++i)
+      {
+        ASSERT_NEAR(one[i], both[i], 1e-6) << shape.first->GetClassName() << " " << i;
+        covered += both[i] < 1.0f ? 1 : 0;
+      }
+      EXPECT_GT(covered, 300);
+
+      view.Emitter.Center = { { 0.0, 0.0, 0.0 } }; // inside
+      view.Near = 0.01;
+      const auto inside = scene.BakeDepths(view, RESOLUTION);
+      EXPECT_EQ(inside[RESOLUTION * RESOLUTION / 2 + RESOLUTION / 2] < 1.0f, shape.first != plane);
+    }
+  }
 }
