@@ -22,6 +22,17 @@ double RadicalInverse(unsigned int i)
   return result;
 }
 
+// Second dimension of Sobol's sequence; with the radical inverse a (0, 2)-sequence in base 2.
+double SobolSecond(unsigned int i)
+{
+  unsigned int bits = 0;
+  for (unsigned int direction = 1u << 31; i != 0; i >>= 1, direction ^= direction >> 1)
+  {
+    bits ^= (i & 1u) ? direction : 0u;
+  }
+  return bits / 4294967296.0;
+}
+
 // Columns of a grid of exactly count cells that is nearly square; 0 if there is none.
 int FindColumns(int count)
 {
@@ -57,7 +68,7 @@ std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
   const vtkShadowEmitter& emitter, int count, int pattern, int weights)
 {
   count = emitter.HasExtent() ? std::max(count, 1) : 1;
-  const int columns = pattern == HAMMERSLEY ? 0 : FindColumns(count);
+  const int columns = pattern >= HAMMERSLEY ? 0 : FindColumns(count);
   std::minstd_rand random(1);
   std::uniform_real_distribution<double> jitter(0.0, 1.0);
   std::vector<Sample> samples(count);
@@ -75,7 +86,8 @@ std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
     }
     else
     {
-      sample.U = 2.0 * (i + 0.5) / count - 1.0;
+      const double first = pattern == SOBOL ? SobolSecond(i) : static_cast<double>(i) / count;
+      sample.U = 2.0 * (first + 0.5 / count) - 1.0;
       // Half a step of the last digit centres the radical inverse, whose mean is under 1/2.
       sample.V = 2.0 * (RadicalInverse(i) + 0.5 / count) - 1.0;
     }

@@ -28,7 +28,9 @@ struct VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowLightSampling
     /// One random point in each cell of the grid; the same points in every frame.
     STRATIFIED = 1,
     /// Hammersley's points, (i + 1/2) / n and the radical inverse of i: any count is well spread.
-    HAMMERSLEY = 2
+    HAMMERSLEY = 2,
+    /// The first points of Sobol's (0, 2)-sequence: every prefix of 2^k points is well spread too.
+    SOBOL = 3
   };
 
   enum WeightsType

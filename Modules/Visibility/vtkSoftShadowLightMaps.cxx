@@ -74,7 +74,7 @@ int vtkSoftShadowLightMaps::BakeFaces(
   const int baked = this->FaceMaps->Bake(renderer, casters, views, mapSize, conservative);
   if (pyramid && baked >= 0)
   {
-    this->Pyramid->Update(
+    this->FacePyramid->Update(
       static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), this->FaceMaps);
   }
   return std::max(baked, 0);
@@ -82,7 +82,7 @@ int vtkSoftShadowLightMaps::BakeFaces(
 
 //------------------------------------------------------------------------------
 int vtkSoftShadowLightMaps::BakePart(vtkRenderer* renderer, vtkShadowCasters* casters, size_t face,
-  size_t part, int mapSize, bool conservative, size_t count, int& baked)
+  size_t part, int mapSize, bool conservative, size_t count, bool pyramid, int& baked)
 {
   // Parts are numbered over all faces; a batch is count of them in a row.
   std::vector<vtkShadowMapView> views;
@@ -109,6 +109,11 @@ int vtkSoftShadowLightMaps::BakePart(vtkRenderer* renderer, vtkShadowCasters* ca
   const size_t last = std::min(first + count, views.size());
   const std::vector<vtkShadowMapView> batch(views.begin() + first, views.begin() + last);
   baked += std::max(this->PartMaps->Bake(renderer, casters, batch, mapSize, conservative), 0);
+  if (pyramid)
+  {
+    this->PartPyramid->Update(
+      static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), this->PartMaps);
+  }
   return static_cast<int>(wanted - first);
 }
 
@@ -116,7 +121,7 @@ int vtkSoftShadowLightMaps::BakePart(vtkRenderer* renderer, vtkShadowCasters* ca
 vtkTypeInt64 vtkSoftShadowLightMaps::GetBytes()
 {
   return this->FaceMaps->GetTexture()->GetBytes() + this->PartMaps->GetTexture()->GetBytes() +
-    this->Pyramid->GetTexture()->GetBytes();
+    this->FacePyramid->GetTexture()->GetBytes() + this->PartPyramid->GetTexture()->GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -130,6 +135,7 @@ void vtkSoftShadowLightMaps::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->FaceMaps->ReleaseGraphicsResources(window);
   this->PartMaps->ReleaseGraphicsResources(window);
-  this->Pyramid->ReleaseGraphicsResources(window);
+  this->FacePyramid->ReleaseGraphicsResources(window);
+  this->PartPyramid->ReleaseGraphicsResources(window);
 }
 VTK_ABI_NAMESPACE_END

@@ -61,15 +61,17 @@ public:
 
   /**
    * Makes the map of a part valid and returns its layer in the part maps. count is the number of
-   * layers that may be held at a time; baked is increased by the number of maps drawn.
+   * layers that may be held at a time; baked is increased by the number of maps drawn. With pyramid
+   * the part maps' pyramid is brought up to date.
    */
   int BakePart(vtkRenderer* renderer, vtkShadowCasters* casters, size_t face, size_t part,
-    int mapSize, bool conservative, size_t count, int& baked);
+    int mapSize, bool conservative, size_t count, bool pyramid, int& baked);
 
   const std::vector<Face>& GetFaces() const { return this->Faces; }
   vtkShadowDepthMaps* GetFaceMaps() { return this->FaceMaps; }
   vtkShadowDepthMaps* GetPartMaps() { return this->PartMaps; }
-  vtkShadowDepthPyramid* GetPyramid() { return this->Pyramid; }
+  vtkShadowDepthPyramid* GetFacePyramid() { return this->FacePyramid; }
+  vtkShadowDepthPyramid* GetPartPyramid() { return this->PartPyramid; }
 
   vtkTypeInt64 GetBytes();
   vtkTypeInt64 GetNumberOfDrawCalls();
@@ -83,7 +85,8 @@ private:
   bool Gaussian = false;
   vtkNew<vtkShadowDepthMaps> FaceMaps;
   vtkNew<vtkShadowDepthMaps> PartMaps;
-  vtkNew<vtkShadowDepthPyramid> Pyramid;
+  vtkNew<vtkShadowDepthPyramid> FacePyramid;
+  vtkNew<vtkShadowDepthPyramid> PartPyramid;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -97,7 +97,7 @@ void vtkSoftShadowPass::EstimateLight(vtkSoftShadowContext& context, int layer)
     context.FaceAxis = FindFaceAxis(face.Emitter, f);
     context.Emitter = face.Emitter;
     context.Maps = maps.GetFaceMaps();
-    context.Pyramid = maps.GetPyramid();
+    context.Pyramid = maps.GetFacePyramid();
     context.Layer = face.Layer;
     impl.Target.BeginMarks(context.Window);
     this->DrawMarks(context, face.HasCasters ? &face.View : nullptr);
@@ -133,10 +133,11 @@ void vtkSoftShadowPass::EstimatePart(
   if (this->NeedsEmitterMap() && face.Parts.size() > 1)
   {
     int baked = 0;
-    context.Layer = maps.BakePart(context.Renderer, impl.Casters, faceIndex, partIndex,
-      this->MapSize, this->NeedsConservativeMaps(), this->GetMapsPerBatch(), baked);
+    context.Layer =
+      maps.BakePart(context.Renderer, impl.Casters, faceIndex, partIndex, this->MapSize,
+        this->NeedsConservativeMaps(), this->GetMapsPerBatch(), this->NeedsPyramid(), baked);
     context.Maps = maps.GetPartMaps();
-    context.Pyramid = nullptr;
+    context.Pyramid = maps.GetPartPyramid();
     this->CountBakes(baked);
   }
   this->AddVisibility(context);
