@@ -10,7 +10,7 @@ struct MapPoint
 {
   vec3 std;
   vec2 gradient; // slope of the receiver's plane, d per s and per t
-  float bias;    // what rounding and one texel of slope may add to a depth that is the receiver's own
+  float bias;    // what rounding and the bend of the surface may add to a depth that is its own
   bool facesCenter; // the map's centre of projection is on the camera's side of the plane
 };
 
@@ -18,6 +18,10 @@ struct MapPoint
 const float positionRounding = 4e-7;
 // Spacing of 32-bit depths below 1, twice: the map's value and the rasteriser's interpolation.
 const float depthRounding = 2.4e-7;
+// In texels: 8 bits of subpixel precision.
+const float vertexSnapping = 0.004;
+// How far a surface bends towards the light within a texel, in texels.
+const float surfaceBend = 0.3;
 
 MapPoint toMap(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
 {
@@ -48,15 +52,31 @@ MapPoint toMap(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
   mat4 absolute = mat4(abs(viewToMap[0]), abs(viewToMap[1]), abs(viewToMap[2]), abs(viewToMap[3]));
   vec4 sums = absolute * magnitude;
   vec3 rounding = positionRounding * (sums.xyz + abs(point.std) * sums.w) / abs(w);
-  vec2 slope = abs(point.gradient);
-  point.bias = depthRounding + rounding.z + dot(slope, rounding.xy + 1.0 / depthMapSize);
+  // The rasteriser snaps vertices to a fraction of a texel.
+  rounding.xy += vertexSnapping / depthMapSize;
+
+  // Taps compare at texel centres, where a plane's own depth is exact. Within a texel a mesh may bend
+  // towards the light by a part of the texel's width, along the normal.
+  vec4 hn = viewToMap * vec4(normalVs, 0.0);
+  vec3 dn = (hn.xyz - point.std * hn.w) / w;
+  float texelsPerLength = depthMapSize * max(length(d1.xy), length(d2.xy));
+  float bend = surfaceBend / texelsPerLength * abs(dn.z - dot(point.gradient, dn.xy));
+  point.bias = depthRounding + rounding.z + dot(abs(point.gradient), rounding.xy) + bend;
   return point;
 }
 
-// The depth a tap must lie in front of to block the receiver.
+// The depth of the receiver's plane.
+float planeDepth(MapPoint point, vec2 st)
+{
+  return point.std.z + dot(point.gradient, st - point.std.xy);
+}
+
+// The depth that the texel of a tap must lie in front of to block the receiver: in front of the
+// receiver's plane, and of the receiver itself, since no ray to the light leads away from it.
 float receiverDepth(MapPoint point, vec2 st)
 {
-  return point.std.z + dot(point.gradient, st - point.std.xy) - point.bias;
+  vec2 center = (floor(st * depthMapSize) + 0.5) / depthMapSize;
+  return min(planeDepth(point, center) - point.bias, point.std.z);
 }
 
 // An empty texel: nothing blocks there, however far behind the map's far plane the receiver is.

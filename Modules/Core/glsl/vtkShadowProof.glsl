@@ -51,10 +51,11 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
       // The plane over the part of the texel that the rectangle covers.
       vec2 from = max(vec2(x, y) * span, low) - texel;
       vec2 to = min(vec2(x + 1, y + 1) * span, high) + texel;
-      float middle = receiverDepth(point, 0.5 * (from + to));
+      float middle = planeDepth(point, 0.5 * (from + to)) - point.bias;
       float reach = dot(abs(point.gradient), 0.5 * (to - from));
-      range.anyBlocker = range.anyBlocker || depths.x < min(middle + reach, emptyDepth);
-      range.allBlockers = range.allBlockers && depths.y < min(middle - reach, emptyDepth);
+      float nearest = min(point.std.z, emptyDepth);
+      range.anyBlocker = range.anyBlocker || depths.x < min(middle + reach, nearest);
+      range.allBlockers = range.allBlockers && depths.y < min(middle - reach, nearest);
       range.nearest = min(range.nearest, depths.x);
     }
   }
