@@ -94,3 +94,10 @@ bool isBlocked(MapPoint point, vec2 st, float layer)
 {
   return mapDepth(st, layer) < receiverDepth(point, st);
 }
+
+// Whether the point of the emitter at window coordinates e is on the camera's side of the receiver's
+// plane. What lies behind it is blocked by the surface itself.
+bool facesPoint(MapPoint point, vec2 kernelScale, vec2 e)
+{
+  return (1.0 + dot(point.gradient, kernelScale * e) > 0.0) == point.facesCenter;
+}

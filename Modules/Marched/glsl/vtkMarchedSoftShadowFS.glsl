@@ -61,7 +61,8 @@ void main()
     {
       break;
     }
-    blocked += rays[i].z * marchRay(point, rays[i].xy, rays[i].w, reach);
+    blocked += rays[i].z *
+      (facesPoint(point, kernelScale, rays[i].xy) ? marchRay(point, rays[i].xy, rays[i].w, reach) : 1.0);
     total += rays[i].z;
   }
   gl_FragData[0] = vec4(weight * (1.0 - blocked / total));

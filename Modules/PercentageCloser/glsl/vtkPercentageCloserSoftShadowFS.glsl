@@ -48,7 +48,9 @@ float filterVisibility(MapPoint point, vec2 halfWidth)
     {
       vec2 tap = vec2(tapCoordinate(x, filterWidth), tapCoordinate(y, filterWidth));
       float tapShare = tapWeight(tap);
-      lit += isBlocked(point, point.std.xy + tap * halfWidth, mapLayer) ? 0.0 : tapShare;
+      bool blocked = !facesPoint(point, kernelScale, tap) ||
+        isBlocked(point, point.std.xy + tap * halfWidth, mapLayer);
+      lit += blocked ? 0.0 : tapShare;
       total += tapShare;
     }
   }
@@ -62,10 +64,12 @@ void main()
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
   // Everything in front of the near plane, d = 0, is empty: the search is as wide as the light there.
   float blocker = searchBlockers(point, kernelScale * max(point.std.z, 0.0));
+  bool facesAll = point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0;
   float visibility = 1.0;
-  if (blocker >= 0.0)
+  if (blocker >= 0.0 || !facesAll)
   {
-    visibility = filterVisibility(point, kernelScale * max(point.std.z - blocker, 0.0));
+    float reach = blocker >= 0.0 ? max(point.std.z - blocker, 0.0) : 0.0;
+    visibility = filterVisibility(point, kernelScale * reach);
   }
   gl_FragData[0] = vec4(weight * visibility);
 }
