@@ -2,32 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCasters.h"
 
-#include "vtkActor.h"
-#include "vtkAssembly.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
-#include "vtkCollectionRange.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPropAssembly.h"
-#include "vtkPropCollection.h"
+#include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShadowCamera.h"
-#include "vtkShadowCasterEntry.h"
+#include "vtkShadowCasterList.h"
 #include "vtkShadowCasterProgram.h"
-#include "vtkShadowMapView.h"
+#include "vtkShadowDrawTest.h"
 #include "vtkShadowMapperCasters.h"
-#include "vtkShadowSides.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkShadowCasters);
@@ -51,329 +41,72 @@ bool GetKey(vtkProp* prop, vtkInformationIntegerKey* key)
   vtkInformation* keys = prop->GetPropertyKeys();
   return !keys || !keys->Has(key) || keys->Get(key) != 0;
 }
-
-// The planes that cull, as {a, b, c, d} with a x + b y + c z + d < 0 outside, in world coordinates:
-// the four sides, and the far one, behind which nothing is written. In front of the near plane there
-// is none: what is there is clamped to it.
-struct CullingPlanes
-{
-  explicit CullingPlanes(const std::array<double, 16>& toClip)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      const double w = toClip[12 + i];
-      this->Planes[0][i] = w + toClip[i];
-      this->Planes[1][i] = w - toClip[i];
-      this->Planes[2][i] = w + toClip[4 + i];
-      this->Planes[3][i] = w - toClip[4 + i];
-      this->Planes[4][i] = w - toClip[8 + i];
-    }
-  }
-
-  bool Excludes(const std::array<double, 6>& box) const
-  {
-    for (const auto& plane : this->Planes)
-    {
-      double farthest = plane[3];
-      for (int i = 0; i < 3; ++i)
-      {
-        farthest += std::max(plane[i] * box[2 * i], plane[i] * box[2 * i + 1]);
-      }
-      if (farthest < 0.0)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  std::array<std::array<double, 4>, 5> Planes;
-};
-
-// What a view's map shows.
-class DrawTest
-{
-public:
-  explicit DrawTest(const vtkShadowMapView& view)
-    : View(view)
-    , Planes(view.WorldToClip())
-  {
-  }
-
-  // From inside a closed surface its other side is seen, and maybe from inside its box.
-  int GetSide(const vtkShadowCasterEntry& entry) const
-  {
-    if (this->View.Emitter.Directional)
-    {
-      return entry.GetFacing();
-    }
-    const auto& eye = this->View.Emitter.Center;
-    const auto& box = entry.Body.Bounds;
-    const bool inside = eye[0] >= box[0] && eye[0] <= box[1] && eye[1] >= box[2] &&
-      eye[1] <= box[3] && eye[2] >= box[4] && eye[2] <= box[5];
-    return inside ? 0 : entry.GetFacing();
-  }
-
-  bool operator()(const vtkShadowCasterEntry& entry) const
-  {
-    return entry.HasBody && entry.Body.Casts && !this->Planes.Excludes(entry.Body.Bounds) &&
-      this->IsEffective(entry);
-  }
-
-private:
-  bool IsEffective(const vtkShadowCasterEntry& entry) const
-  {
-    if (entry.HasReceivers[0] && entry.HasReceivers[1])
-    {
-      return true;
-    }
-    const int side = vtkShadowSides::OfEmitter(entry.Body, this->View.Emitter);
-    return side == 0 ? entry.HasReceivers[0] || entry.HasReceivers[1]
-                     : entry.HasReceivers[side > 0 ? 0 : 1];
-  }
-
-  const vtkShadowMapView& View;
-  CullingPlanes Planes;
-};
 }
 
 //------------------------------------------------------------------------------
 class vtkShadowCasters::Internals
 {
 public:
-  std::vector<vtkShadowCasterEntry> Entries;
-  std::size_t Cursor = 0;
-  vtkShadowCasterSource Source;
-  vtkShadowCasterBuffer Buffer;
-  std::vector<vtkShadowCasters::Body> Bodies;
-  std::array<double, 3> Origin{};
-  bool HasOrigin = false;
-  std::vector<float> Scratch;
+  vtkShadowCasterList List;
   vtkShadowCasterProgram Program;
   vtkNew<vtkShadowCamera> Camera;
   vtkNew<vtkMatrix4x4> Matrix;
 
-  bool CastersChanged = false;
-  bool BodiesChanged = false;
-  bool MustCollect = false; // at the next Update, whatever it finds
-
-  void Note(const vtkShadowCasterEntry::Change& change)
-  {
-    this->CastersChanged = this->CastersChanged || change.Casters;
-    this->BodiesChanged = this->BodiesChanged || change.Bodies;
-  }
-
-  void VisitProp(vtkProp* prop);
-  void VisitLeaf(vtkProp* leaf, vtkMatrix4x4* matrix, vtkProp* top);
-  vtkShadowCasterEntry& FindEntry(vtkProp3D* prop);
-  void RemoveEntries(std::size_t first, std::size_t last);
-  void PlaceEntries();
-  bool MoveOrigin();
-  void CollectBodies();
   int DrawSide(int side);
-  void FindReceiversOfPlanes();
-  bool HasReceivers(const vtkShadowCasters::Body& plane, int lightSide, const Body& all) const;
+  int DrawBuffer(vtkOpenGLState* state, bool conservative);
+  int DrawMappers(vtkRenderer* renderer, const vtkShadowMapView& view);
 };
-
-//------------------------------------------------------------------------------
-void vtkShadowCasters::Internals::VisitProp(vtkProp* prop)
-{
-  if (!prop->GetVisibility())
-  {
-    return;
-  }
-  if (!prop->IsA("vtkAssembly") && !prop->IsA("vtkPropAssembly"))
-  {
-    this->VisitLeaf(prop, nullptr, prop);
-    return;
-  }
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    vtkAssemblyNode* node = path->GetLastNode();
-    if (node->GetViewProp()->GetVisibility())
-    {
-      this->VisitLeaf(node->GetViewProp(), node->GetMatrix(), prop);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowCasters::Internals::VisitLeaf(vtkProp* leaf, vtkMatrix4x4* matrix, vtkProp* top)
-{
-  auto* prop = vtkProp3D::SafeDownCast(leaf);
-  if (!prop)
-  {
-    return;
-  }
-  this->Source.Inspect(prop);
-  if (this->Source.Route == vtkShadowCasterSource::NONE)
-  {
-    return;
-  }
-  if (!matrix)
-  {
-    prop->GetMatrix(this->Matrix);
-  }
-  std::array<double, 16> elements;
-  std::copy_n((matrix ? matrix : this->Matrix.GetPointer())->GetData(), 16, elements.begin());
-  vtkShadowCasterEntry& entry = this->FindEntry(prop);
-  entry.IsLeaf = matrix != nullptr;
-  // An assembly gives its own keys to its parts whenever it is rendered, so only its own count.
-  this->Note(entry.Refresh(this->Source, elements, GetKey(top, vtkShadowCasters::CASTS_SHADOW()),
-    GetKey(top, vtkShadowCasters::RECEIVES_SHADOW())));
-}
-
-//------------------------------------------------------------------------------
-// Props come in the same order in every frame, so the next entry is the prop's own unless props came
-// or went.
-vtkShadowCasterEntry& vtkShadowCasters::Internals::FindEntry(vtkProp3D* prop)
-{
-  const auto next = this->Entries.begin() + static_cast<std::ptrdiff_t>(this->Cursor);
-  const auto found = std::find_if(next, this->Entries.end(),
-    [prop](const vtkShadowCasterEntry& entry) { return entry.Prop == prop; });
-  if (found == this->Entries.end())
-  {
-    this->Entries.emplace(next)->Prop = prop;
-  }
-  else
-  {
-    this->RemoveEntries(this->Cursor, static_cast<std::size_t>(found - this->Entries.begin()));
-  }
-  return this->Entries[this->Cursor++];
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowCasters::Internals::RemoveEntries(std::size_t first, std::size_t last)
-{
-  for (std::size_t i = first; i < last; ++i)
-  {
-    vtkShadowCasterEntry& entry = this->Entries[i];
-    this->Note({ entry.DrawsFromBuffer() || entry.DrawsThroughMapper(), entry.HasBody });
-    entry.Remove(this->Buffer);
-  }
-  const auto begin = this->Entries.begin();
-  this->Entries.erase(
-    begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last));
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowCasters::Internals::PlaceEntries()
-{
-  for (vtkShadowCasterEntry& entry : this->Entries)
-  {
-    this->Note(entry.Place(this->Buffer, this->Origin, this->Scratch));
-  }
-}
-
-//------------------------------------------------------------------------------
-// The origin is the mean of the bodies' centres, small bodies counting more, so that floats are finest
-// where the detail is. It stays while it is good enough: moving it writes everything anew.
-bool vtkShadowCasters::Internals::MoveOrigin()
-{
-  constexpr double FARTHEST = 64.0; // in mean sizes; 64 x 2^-24 of a body is lost at most
-  std::array<double, 3> mean{};
-  double weights = 0.0;
-  int count = 0;
-  for (const vtkShadowCasterEntry& entry : this->Entries)
-  {
-    if (!entry.HasBody)
-    {
-      continue;
-    }
-    const auto& box = entry.Body.Bounds;
-    const double size = std::sqrt(
-      std::pow(box[1] - box[0], 2) + std::pow(box[3] - box[2], 2) + std::pow(box[5] - box[4], 2));
-    const double weight = size > 0.0 ? 1.0 / size : 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      mean[i] += 0.5 * weight * (box[2 * i] + box[2 * i + 1]);
-    }
-    weights += weight;
-    ++count;
-  }
-  if (!(weights > 0.0))
-  {
-    return false;
-  }
-  for (double& coordinate : mean)
-  {
-    coordinate /= weights;
-  }
-  const double distance =
-    std::sqrt(vtkMath::Distance2BetweenPoints(mean.data(), this->Origin.data()));
-  if (this->HasOrigin && distance <= FARTHEST * count / weights)
-  {
-    return false;
-  }
-  this->HasOrigin = true;
-  this->Origin = mean;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowCasters::Internals::CollectBodies()
-{
-  this->Bodies.clear();
-  for (const vtkShadowCasterEntry& entry : this->Entries)
-  {
-    if (entry.HasBody)
-    {
-      this->Bodies.push_back(entry.Body);
-    }
-  }
-}
 
 //------------------------------------------------------------------------------
 int vtkShadowCasters::Internals::DrawSide(int side)
 {
-  this->Buffer.Begin();
-  for (const vtkShadowCasterEntry& entry : this->Entries)
+  this->List.Buffer.Begin();
+  for (const vtkShadowCasterEntry& entry : this->List.Entries)
   {
     if (entry.SideToDraw == side)
     {
-      this->Buffer.Add(entry.GetRange());
+      this->List.Buffer.Add(entry.GetRange());
     }
   }
-  return this->Buffer.Draw(this->Program.GetLocation());
+  return this->List.Buffer.Draw(this->Program.GetLocation());
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowCasters::Internals::HasReceivers(
-  const vtkShadowCasters::Body& plane, int lightSide, const Body& all) const
+int vtkShadowCasters::Internals::DrawBuffer(vtkOpenGLState* state, bool conservative)
 {
-  return vtkShadowSides::ReachesBehind(plane, lightSide, all) &&
-    std::any_of(this->Bodies.begin(), this->Bodies.end(),
-      [&plane, lightSide](const vtkShadowCasters::Body& body)
-      { return body.Receives && vtkShadowSides::ReachesBehind(plane, lightSide, body); });
+  int calls = 0;
+  for (int side = -1; side <= 1; ++side)
+  {
+    // Conservative triangles come out of the geometry shader as rectangles.
+    this->Program.SetSide(state, conservative ? 0 : side);
+    calls += this->DrawSide(side);
+  }
+  this->Program.SetSide(state, 0);
+  return calls;
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowCasters::Internals::FindReceiversOfPlanes()
+int vtkShadowCasters::Internals::DrawMappers(vtkRenderer* renderer, const vtkShadowMapView& view)
 {
-  // The box of all spares most planes the walk over all bodies.
-  Body all;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  all.Bounds = { { infinity, -infinity, infinity, -infinity, infinity, -infinity } };
-  for (const Body& body : this->Bodies)
+  const auto isDrawn = [](const vtkShadowCasterEntry& entry)
+  { return entry.DrawsThroughMapper() && entry.SideToDraw != vtkShadowCasterEntry::NO_SIDE; };
+  const auto& entries = this->List.Entries;
+  if (std::none_of(entries.begin(), entries.end(), isDrawn))
   {
-    for (int i = 0; i < 6; i += 2)
+    return 0;
+  }
+  int calls = 0;
+  vtkShadowMapperCasters drawer(renderer, this->Camera, view);
+  for (const vtkShadowCasterEntry& entry : entries)
+  {
+    if (isDrawn(entry))
     {
-      all.Bounds[i] = std::min(all.Bounds[i], body.Bounds[i]);
-      all.Bounds[i + 1] = std::max(all.Bounds[i + 1], body.Bounds[i + 1]);
+      this->Matrix->DeepCopy(entry.Matrix.data());
+      drawer.Draw(entry.Prop, entry.IsLeaf ? this->Matrix.GetPointer() : nullptr);
+      ++calls;
     }
   }
-  for (vtkShadowCasterEntry& entry : this->Entries)
-  {
-    std::array<bool, 2> receivers{ { true, true } };
-    if (entry.HasBody && entry.Body.Casts && entry.Body.Flat)
-    {
-      receivers = { { this->HasReceivers(entry.Body, 1, all),
-        this->HasReceivers(entry.Body, -1, all) } };
-    }
-    this->CastersChanged = this->CastersChanged || receivers != entry.HasReceivers;
-    entry.HasReceivers = receivers;
-  }
+  return calls;
 }
 
 //------------------------------------------------------------------------------
@@ -415,15 +148,10 @@ void vtkShadowCasters::SetEffectiveOnly(bool effectiveOnly)
   if (this->EffectiveOnly != effectiveOnly)
   {
     this->EffectiveOnly = effectiveOnly;
-    this->Impl->MustCollect = true;
-    for (vtkShadowCasterEntry& entry : this->Impl->Entries)
-    {
-      entry.HasReceivers = { { true, true } };
-    }
-    // What casts may differ from what the maps show.
+    this->Impl->List.ForgetReceivers();
     vtkTimeStamp stamp;
     stamp.Modified();
-    this->CastersTime = stamp.GetMTime();
+    this->CastersTime = stamp.GetMTime(); // maps may show what they should not, or lack something
     this->Modified();
   }
 }
@@ -431,51 +159,16 @@ void vtkShadowCasters::SetEffectiveOnly(bool effectiveOnly)
 //------------------------------------------------------------------------------
 bool vtkShadowCasters::Update(vtkRenderer* renderer)
 {
-  Internals& impl = *this->Impl;
-  impl.Cursor = 0;
-  impl.CastersChanged = false;
-  impl.BodiesChanged = impl.MustCollect;
-  impl.MustCollect = false;
-
-  vtkCollectionSimpleIterator iterator;
-  vtkPropCollection* props = renderer->GetViewProps();
-  props->InitTraversal(iterator);
-  while (vtkProp* prop = props->GetNextProp(iterator))
-  {
-    impl.VisitProp(prop);
-  }
-  impl.RemoveEntries(impl.Cursor, impl.Entries.size());
-
-  impl.PlaceEntries();
-  if ((impl.BodiesChanged || impl.CastersChanged) && impl.MoveOrigin())
-  {
-    std::for_each(
-      impl.Entries.begin(), impl.Entries.end(), [](vtkShadowCasterEntry& entry) { entry.Touch(); });
-    impl.PlaceEntries();
-  }
-  if (impl.Buffer.IsWasteful())
-  {
-    impl.Buffer.Clear();
-    std::for_each(impl.Entries.begin(), impl.Entries.end(),
-      [](vtkShadowCasterEntry& entry) { entry.ForgetRange(); });
-    impl.PlaceEntries();
-  }
-  if (impl.BodiesChanged)
-  {
-    impl.CollectBodies();
-    if (this->EffectiveOnly)
-    {
-      impl.FindReceiversOfPlanes();
-    }
-  }
-  if (!impl.BodiesChanged && !impl.CastersChanged)
+  const vtkShadowCasterEntry::Change change =
+    this->Impl->List.Update(renderer, this->EffectiveOnly);
+  if (!change.Bodies && !change.Casters)
   {
     return false;
   }
   vtkTimeStamp stamp;
   stamp.Modified();
   this->BodiesTime = stamp.GetMTime();
-  if (impl.CastersChanged)
+  if (change.Casters)
   {
     this->CastersTime = this->BodiesTime;
   }
@@ -485,14 +178,14 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 const std::vector<vtkShadowCasters::Body>& vtkShadowCasters::GetBodies() const
 {
-  return this->Impl->Bodies;
+  return this->Impl->List.Bodies;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkShadowCasters::GetNumberOfTriangles() const
 {
   vtkTypeInt64 triangles = 0;
-  for (const vtkShadowCasterEntry& entry : this->Impl->Entries)
+  for (const vtkShadowCasterEntry& entry : this->Impl->List.Entries)
   {
     triangles += static_cast<vtkTypeInt64>(entry.GetRange().NumberOfIndices / 3);
   }
@@ -502,7 +195,7 @@ vtkTypeInt64 vtkShadowCasters::GetNumberOfTriangles() const
 //------------------------------------------------------------------------------
 int vtkShadowCasters::GetNumberOfCasters() const
 {
-  const auto& entries = this->Impl->Entries;
+  const auto& entries = this->Impl->List.Entries;
   return static_cast<int>(std::count_if(entries.begin(), entries.end(),
     [](const vtkShadowCasterEntry& entry)
     { return entry.DrawsFromBuffer() || entry.DrawsThroughMapper(); }));
@@ -511,7 +204,7 @@ int vtkShadowCasters::GetNumberOfCasters() const
 //------------------------------------------------------------------------------
 int vtkShadowCasters::GetNumberOfMapperCasters() const
 {
-  const auto& entries = this->Impl->Entries;
+  const auto& entries = this->Impl->List.Entries;
   return static_cast<int>(std::count_if(entries.begin(), entries.end(),
     [](const vtkShadowCasterEntry& entry) { return entry.DrawsThroughMapper(); }));
 }
@@ -519,7 +212,7 @@ int vtkShadowCasters::GetNumberOfMapperCasters() const
 //------------------------------------------------------------------------------
 int vtkShadowCasters::GetNumberOfClosedCasters() const
 {
-  const auto& entries = this->Impl->Entries;
+  const auto& entries = this->Impl->List.Entries;
   return static_cast<int>(std::count_if(entries.begin(), entries.end(),
     [](const vtkShadowCasterEntry& entry)
     { return entry.DrawsFromBuffer() && entry.GetFacing() != 0; }));
@@ -528,7 +221,7 @@ int vtkShadowCasters::GetNumberOfClosedCasters() const
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkShadowCasters::GetBytes() const
 {
-  return this->Impl->Buffer.GetBytes();
+  return this->Impl->List.Buffer.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -537,54 +230,24 @@ int vtkShadowCasters::Draw(
 {
   Internals& impl = *this->Impl;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const DrawTest test(view);
-  std::array<bool, 3> sides{}; // clockwise, both, counterclockwise
-  bool mappers = false;
-  for (vtkShadowCasterEntry& entry : impl.Entries)
+  const vtkShadowDrawTest test(view);
+  for (vtkShadowCasterEntry& entry : impl.List.Entries)
   {
-    entry.SideToDraw = test(entry) ? test.GetSide(entry) : vtkShadowCasterEntry::NO_SIDE;
-    if (entry.SideToDraw != vtkShadowCasterEntry::NO_SIDE)
-    {
-      mappers = mappers || entry.DrawsThroughMapper();
-      sides[static_cast<std::size_t>(entry.SideToDraw + 1)] = true;
-    }
+    entry.SideToDraw = test.GetSide(entry);
   }
-
-  int calls = 0;
   const vtkShadowCasterProgram::ScopedState state(window->GetState());
-  if (impl.Program.Use(window, view, impl.Origin, resolution, conservative))
+  int calls = 0;
+  if (impl.Program.Use(window, view, impl.List.Origin, resolution, conservative))
   {
-    for (int side = -1; side <= 1; ++side)
-    {
-      if (sides[static_cast<std::size_t>(side + 1)])
-      {
-        impl.Program.SetSide(window->GetState(), conservative ? 0 : side);
-        calls += impl.DrawSide(side);
-      }
-    }
-    impl.Program.SetSide(window->GetState(), 0);
+    calls += impl.DrawBuffer(window->GetState(), conservative);
   }
-  if (!mappers)
-  {
-    return calls;
-  }
-  vtkShadowMapperCasters drawer(renderer, impl.Camera, view);
-  for (const vtkShadowCasterEntry& entry : impl.Entries)
-  {
-    if (entry.DrawsThroughMapper() && entry.SideToDraw != vtkShadowCasterEntry::NO_SIDE)
-    {
-      impl.Matrix->DeepCopy(entry.Matrix.data());
-      drawer.Draw(entry.Prop, entry.IsLeaf ? impl.Matrix.GetPointer() : nullptr);
-      ++calls;
-    }
-  }
-  return calls;
+  return calls + impl.DrawMappers(renderer, view);
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowCasters::ReleaseGraphicsResources(vtkWindow*)
 {
-  this->Impl->Buffer.ReleaseGraphicsResources();
+  this->Impl->List.Buffer.ReleaseGraphicsResources();
   this->Impl->Program.ReleaseGraphicsResources();
 }
 
