@@ -22,8 +22,7 @@ mkdir -p "$pictures"
 failed=0
 for technique in $techniques; do
     picture="$pictures/bunny-$technique.png"
-    if Utilities/Scripts/offscreen.sh \
-        "$tool" render "$scene" --technique "$technique" -o "$picture"; then
+    if "$tool" render "$scene" --technique "$technique" -o "$picture"; then
         echo "  $picture"
     else
         echo "  $technique failed" >&2
