@@ -7,10 +7,19 @@
  * Opaque, visible props whose CASTS_SHADOW key is not 0 are casters, whether the camera sees them or
  * not. Where the prop allows it, its polygons and strips are kept as triangles in one position-only
  * vertex buffer, in world coordinates relative to a local origin (subtracted in double): one draw
- * call fills a depth map. What cannot be represented so (glyphs, imposters, textures with alpha,
- * replaced shaders, lines, points) is drawn through its own mapper.
+ * call fills a depth map. A copy on the CPU, of the buffer's size, tells what really changed.
  *
- * Update() compares redraw times and rebuilds only what changed.
+ * What cannot be represented so is drawn through its own mapper and casts what that draws: glyphs,
+ * imposters, textures with alpha, replaced shaders, clipped surfaces, mappers of other classes. So do
+ * points, lines and wireframes: they are as wide in the depth map, in texels, as in the picture, in
+ * pixels, and keep that width at any resolution. Translucent props, volumes, skyboxes and overlays
+ * cast nothing. Casters are two-sided whatever faces a property culls.
+ *
+ * A vtkAssembly or vtkPropAssembly hands its own property keys to its parts whenever VTK renders it,
+ * so the keys below count on the assembly and not on its parts.
+ *
+ * Update() compares modification times (of mappers, their inputs and blocks) and rebuilds only what
+ * changed; what was modified but looks the same to a light, as a colour, changes nothing.
  */
 
 #ifndef vtkShadowCasters_h

@@ -106,6 +106,7 @@ TEST(ShadowCasters, BothSidesCastWhateverIsCulled)
   auto actor = scene.AddActor(plane);
   for (const bool front : { false, true })
   {
+    actor->SetOrientation(front ? 0.0 : 180.0, 0.0, 0.0); // the culled side towards the light
     actor->GetProperty()->SetFrontfaceCulling(front);
     actor->GetProperty()->SetBackfaceCulling(!front);
     EXPECT_NEAR(Heights(scene).At(0.1, 0.1), 0.0, 1e-5) << front;

@@ -176,3 +176,27 @@ TEST(ShadowDepthMaps, BakesOnlyWhatIsNew)
   EXPECT_EQ(scene.Bake({ view }, 64, true), 1) << "a caster moved";
   EXPECT_EQ(scene.Maps->GetNumberOfBakes(), 6);
 }
+
+//------------------------------------------------------------------------------
+TEST(ShadowDepthMaps, WhatLiesBeforeTheNearPlaneIsNotLost)
+{
+  BakingScene scene;
+  vtkNew<vtkCubeSource> box; // from -0.5 to 0.5
+  scene.AddActor(box);
+  for (const bool directional : { false, true })
+  {
+    for (const bool conservative : { false, true })
+    {
+      vtkShadowMapView view;
+      view.Emitter = MakeDownwardEmitter(0.0, 0.0, 5.0, directional);
+      view.Window = { { -0.4, 0.4, -0.4, 0.4 } };
+      view.Near = 7.0;
+      view.Far = 9.0;
+      const auto depths = scene.BakeDepths(view, 32, conservative);
+      EXPECT_EQ(depths[16 * 32 + 16], 0.0f) << directional << conservative;
+      view.Near = 1.0;
+      view.Far = 3.0; // and what lies behind the far one is not there
+      EXPECT_EQ(scene.BakeDepths(view, 32, conservative)[16 * 32 + 16], 1.0f);
+    }
+  }
+}
