@@ -34,7 +34,8 @@ vtkOpenGLRenderWindow* GetWindow(const vtkRenderState* s)
 struct ScopedState
 {
   explicit ScopedState(vtkOpenGLState* state)
-    : Viewport(state)
+    : State(state)
+    , Viewport(state)
     , Scissor(state)
     , ClearColor(state)
     , ColorMask(state)
@@ -47,8 +48,14 @@ struct ScopedState
     , CullFace(state, GL_CULL_FACE)
     , ScissorTest(state, GL_SCISSOR_TEST)
   {
+    glGetDoublev(GL_DEPTH_CLEAR_VALUE, &this->ClearDepth);
   }
+  ~ScopedState() { this->State->vtkglClearDepth(this->ClearDepth); }
+  ScopedState(const ScopedState&) = delete;
+  ScopedState& operator=(const ScopedState&) = delete;
 
+  vtkOpenGLState* State;
+  double ClearDepth = 1.0;
   vtkOpenGLState::ScopedglViewport Viewport;
   vtkOpenGLState::ScopedglScissor Scissor;
   vtkOpenGLState::ScopedglClearColor ClearColor;
@@ -96,7 +103,9 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
   {
     impl.Hooks.Layers.assign(impl.Lights.size(), -1);
   }
-  this->MarkProps(s);
+  // Props without property keys get empty ones, as from VTK's own passes. They stay: to take them away
+  // again would tell everyone, in every frame, that the prop has changed.
+  this->PreRender(s);
   if (shadows)
   {
     ++impl.Statistics.Frames;
@@ -106,7 +115,7 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
   }
   this->Shade(s);
   impl.Timers.EndFrame();
-  this->UnmarkProps(s);
+  this->PostRender(s);
 }
 
 //------------------------------------------------------------------------------
@@ -134,32 +143,6 @@ void vtkSoftShadowPass::CollectLights(const vtkRenderState* s)
   }
   impl.Statistics.LightsLit = static_cast<int>(impl.Lights.size());
   impl.Statistics.LightsCasting = layers;
-}
-
-//------------------------------------------------------------------------------
-void vtkSoftShadowPass::MarkProps(const vtkRenderState* s)
-{
-  Internals& impl = *this->Impl;
-  impl.PropsWithoutKeys.clear();
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
-  {
-    vtkProp* prop = s->GetPropArray()[i];
-    if (!prop->GetPropertyKeys())
-    {
-      impl.PropsWithoutKeys.push_back(prop);
-    }
-  }
-  this->PreRender(s);
-}
-
-//------------------------------------------------------------------------------
-void vtkSoftShadowPass::UnmarkProps(const vtkRenderState* s)
-{
-  this->PostRender(s);
-  for (vtkProp* prop : this->Impl->PropsWithoutKeys)
-  {
-    prop->SetPropertyKeys(nullptr);
-  }
 }
 
 //------------------------------------------------------------------------------

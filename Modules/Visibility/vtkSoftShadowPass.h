@@ -164,7 +164,7 @@ public:
   /// Counts and times.
   const vtkSoftShadowStatistics& GetStatistics();
 
-  /// A line per light of the renderer in the last frame: what it casts, or why it casts nothing.
+  /// A line per lit light of the renderer in the last frame: what it casts, or why it casts nothing.
   std::string GetLightReport() const;
 
   ///@{
@@ -278,8 +278,6 @@ private:
   std::unique_ptr<Internals> Impl;
 
   void CollectLights(const vtkRenderState* s);
-  void MarkProps(const vtkRenderState* s);
-  void UnmarkProps(const vtkRenderState* s);
   void DrawOpaque(const vtkRenderState* s);
   void UpdateVisibility(const vtkRenderState* s);
   bool SignatureChanged(const vtkRenderState* s);

@@ -51,7 +51,6 @@ public:
   vtkSoftShadowSignature NextSignature; // of the frame at hand
   std::vector<LitLight> Lights;
   std::vector<std::unique_ptr<vtkSoftShadowLightMaps>> Maps; // per casting light
-  std::vector<vtkProp*> PropsWithoutKeys; // whose property keys did not exist before the frame
 
   vtkShadowShader ProofShader{ vtkSoftShadowProofFS };
   vtkShadowShader ConstantShader{ vtkSoftShadowConstantFS };
