@@ -102,7 +102,10 @@ vtkCascadedSoftShadowPass::vtkCascadedSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkCascadedSoftShadowPass::~vtkCascadedSoftShadowPass() = default;
+vtkCascadedSoftShadowPass::~vtkCascadedSoftShadowPass()
+{
+  this->ReleaseBeforeDestruction();
+}
 
 //------------------------------------------------------------------------------
 void vtkCascadedSoftShadowPass::Change(

@@ -40,7 +40,10 @@ vtkMarchedSoftShadowPass::vtkMarchedSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkMarchedSoftShadowPass::~vtkMarchedSoftShadowPass() = default;
+vtkMarchedSoftShadowPass::~vtkMarchedSoftShadowPass()
+{
+  this->ReleaseBeforeDestruction();
+}
 
 //------------------------------------------------------------------------------
 bool vtkMarchedSoftShadowPass::HasGaussianWeights() const

@@ -21,7 +21,10 @@ vtkPercentageCloserSoftShadowPass::vtkPercentageCloserSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkPercentageCloserSoftShadowPass::~vtkPercentageCloserSoftShadowPass() = default;
+vtkPercentageCloserSoftShadowPass::~vtkPercentageCloserSoftShadowPass()
+{
+  this->ReleaseBeforeDestruction();
+}
 
 //------------------------------------------------------------------------------
 bool vtkPercentageCloserSoftShadowPass::HasGaussianWeights() const

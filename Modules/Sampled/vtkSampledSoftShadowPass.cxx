@@ -51,7 +51,10 @@ vtkSampledSoftShadowPass::vtkSampledSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkSampledSoftShadowPass::~vtkSampledSoftShadowPass() = default;
+vtkSampledSoftShadowPass::~vtkSampledSoftShadowPass()
+{
+  this->ReleaseBeforeDestruction();
+}
 
 //------------------------------------------------------------------------------
 int vtkSampledSoftShadowPass::GetProof() const

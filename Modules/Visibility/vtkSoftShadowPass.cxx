@@ -83,7 +83,20 @@ vtkSoftShadowPass::vtkSoftShadowPass()
 //------------------------------------------------------------------------------
 vtkSoftShadowPass::~vtkSoftShadowPass()
 {
+  this->ReleaseBeforeDestruction();
   this->SetDelegatePass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::ReleaseBeforeDestruction()
+{
+  vtkOpenGLRenderWindow* window = this->Impl->Window;
+  if (window)
+  {
+    window->PushContext();
+    this->ReleaseGraphicsResources(window);
+    window->PopContext();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -92,6 +105,7 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
   this->NumberOfRenderedProps = 0;
   Internals& impl = *this->Impl;
   vtkOpenGLRenderWindow* window = GetWindow(s);
+  impl.Window = window;
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, impl.Viewport);
   this->CollectLights(s);
@@ -334,6 +348,7 @@ void vtkSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
     impl.UsedQueries = 0;
   }
   impl.Signature.Clear();
+  impl.Window = nullptr;
 }
 
 //------------------------------------------------------------------------------

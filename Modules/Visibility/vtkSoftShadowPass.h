@@ -182,6 +182,12 @@ protected:
   ~vtkSoftShadowPass() override;
 
   /**
+   * Frees what a pass holds in a window that outlives it. Every technique's destructor calls it
+   * first: later its own part of ReleaseGraphicsResources can no longer be reached.
+   */
+  void ReleaseBeforeDestruction();
+
+  /**
    * Adds Emitter.Weight times the emitter's visibility to the bound framebuffer for every pixel
    * that is neither proved nor out of the light's reach. Framebuffer, viewport, additive blending
    * and the depth test that keeps other pixels untouched are set up and must be the same after the

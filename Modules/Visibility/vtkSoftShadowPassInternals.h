@@ -9,6 +9,7 @@
 #define vtkSoftShadowPassInternals_h
 
 #include "vtkNew.h" // For members
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
@@ -18,6 +19,7 @@
 #include "vtkSoftShadowSignature.h"
 #include "vtkSoftShadowTarget.h"
 #include "vtkSoftShadowTimers.h"
+#include "vtkWeakPointer.h"
 
 #include "vtkSoftShadowConstantFS.h"
 #include "vtkSoftShadowProofFS.h"
@@ -31,6 +33,9 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkSoftShadowPass::Internals
 {
 public:
+  /// The window whose context holds the resources, as long as it lives.
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+
   /// A lit light of the frame.
   struct LitLight
   {
