@@ -55,7 +55,8 @@ public:
 
   ///@{
   /**
-   * How thick a blocker is taken to be, in steps, in [0.1, 10]. Default is 1.
+   * How thick a blocker is taken to be, in steps, in [0.1, 10]. Under 1 rays slip through between two
+   * steps. Default is 1.5, the best of 1, 1.5, 2 and 3 on a sphere with a box and on the bunny.
    */
   vtkSetClampMacro(Thickness, double, 0.1, 10.0);
   vtkGetMacro(Thickness, double);
@@ -83,7 +84,7 @@ protected:
 
   int Rays = 64;
   int Steps = 16;
-  double Thickness = 1.0;
+  double Thickness = 1.5;
   int Weights = vtkShadowLightSampling::MEAN;
 
 private:
