@@ -216,6 +216,21 @@ TEST_F(ModelFiles, TruncatedAnywhereAreRefused)
   }
 }
 
+TEST_F(ModelFiles, ThatAnnounceMoreThanThereCanBeAreRefusedAtOnce)
+{
+  std::string bytes = AsciiTriangle;
+  bytes.insert(bytes.find("element face"), "element nothing 999999999999\n");
+  this->Write("a.ply", bytes);
+  EXPECT_EQ(this->ErrorOf("a.ply"), "");
+  bytes.replace(bytes.find("vertex 3"), 8, "vertex 999999999999");
+  this->Write("a.ply", bytes);
+  EXPECT_NE(this->ErrorOf("a.ply"), "");
+  std::string stl(84, '\0');
+  stl.replace(80, 4, "\xff\xff\xff\xff");
+  this->Write("a.stl", stl);
+  ExpectError(this->ErrorOf("a.stl"), "announces 4294967295 triangles");
+}
+
 TEST_F(ModelFiles, WithCornersThatDoNotExistAreRefused)
 {
   std::string bytes = AsciiTriangle;
