@@ -150,7 +150,7 @@ protected:
   void AddVisibility(const vtkSoftShadowContext& context) override;
   int GetEmitterMapSize() const override { return this->SearchMapSize; }
   bool NeedsConservativeMaps() const override { return true; }
-  bool NeedsPyramid() const override { return this->Split == 1; }
+  bool NeedsPyramid() const override { return true; }
   /// The kernel shapes prove pixels lit themselves, footprint included; holes that a conservative
   /// map closes forbid to prove them blocked.
   int GetProof() const override { return PROVES_NOTHING; }
