@@ -18,6 +18,10 @@ const Tolerance Identical = { "Identical", 0.0, 0.0, 0.0, 0.0 };
 const Tolerance SameToRounding = { "SameToRounding", 1.001 / 255.0, 1.001 / 255.0, 0.0,
   1.001 / 255.0 };
 
+// Visibilities of the same points, computed from coordinates that differ by roundings: where a light
+// sample's shadow ends within that rounding, one sample's weight may go over.
+const Tolerance SameButForFlips = { "SameButForFlips", 0.25, 1.001 / 255.0, 0.002, 0.002 };
+
 // The same, but for pixels on the silhouette of geometry, where a rounding moves a point from one
 // surface to another.
 const Tolerance SameButForEdges = { "SameButForEdges", 1.0, 1.001 / 255.0, 0.005, 0.02 };

@@ -38,6 +38,7 @@ struct Tolerance
 /// The one table of tolerances; see ImageComparison.cxx for what each is for.
 extern const Tolerance Identical;
 extern const Tolerance SameToRounding;
+extern const Tolerance SameButForFlips;
 extern const Tolerance SameButForEdges;
 extern const Tolerance BaselinePicture;
 ///@}

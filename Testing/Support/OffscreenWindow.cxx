@@ -6,7 +6,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderStepsPass.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 

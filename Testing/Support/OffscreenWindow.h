@@ -10,11 +10,11 @@
 
 #include "Picture.h"
 
+#include "vtkRenderWindow.h" // For the window
 #include "vtkSmartPointer.h" // For the window
 
 class vtkOpenGLRenderWindow;
 class vtkRenderPass;
-class vtkRenderWindow;
 class vtkRenderer;
 
 namespace SoftShadowsTesting

@@ -74,11 +74,11 @@ void AddActors(Scene& scene, const Point& middle, double halfSize)
 {
   const Quad ground{ { { middle[0] - halfSize, middle[1] - halfSize, 0.0 } },
     { { 2.0 * halfSize, 0.0, 0.0 } }, { { 0.0, 2.0 * halfSize, 0.0 } } };
-  scene.ReceiverActor = MakeQuadActor(ground, scene.Where);
+  scene.ReceiverActor = MakeQuadActor({ ground }, scene.Where);
   scene.Renderer->AddActor(scene.ReceiverActor);
   for (const Quad& blocker : scene.Blockers)
   {
-    scene.BlockerActors.push_back(MakeQuadActor(blocker, scene.Where));
+    scene.BlockerActors.push_back(MakeQuadActor({ blocker }, scene.Where));
     scene.Renderer->AddActor(scene.BlockerActors.back());
   }
 }
@@ -137,29 +137,59 @@ bool Quad::Blocks(const Point& from, const Point& to) const
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> MakeQuadActor(const Quad& quad, const Placement& placement)
+vtkSmartPointer<vtkPolyData> MakeQuads(const std::vector<Quad>& quads, const Placement& placement)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  const Point far = Along(quad.Origin, 1.0, quad.Edge1);
-  points->InsertNextPoint(placement.ToWorld(quad.Origin).data());
-  points->InsertNextPoint(placement.ToWorld(far).data());
-  points->InsertNextPoint(placement.ToWorld(Along(far, 1.0, quad.Edge2)).data());
-  points->InsertNextPoint(placement.ToWorld(Along(quad.Origin, 1.0, quad.Edge2)).data());
   vtkNew<vtkCellArray> polygons;
-  const vtkIdType corners[4] = { 0, 1, 2, 3 };
-  polygons->InsertNextCell(4, corners);
-  vtkNew<vtkPolyData> data;
+  for (const Quad& quad : quads)
+  {
+    const Point far = Along(quad.Origin, 1.0, quad.Edge1);
+    const vtkIdType corners[4] = { points->InsertNextPoint(placement.ToWorld(quad.Origin).data()),
+      points->InsertNextPoint(placement.ToWorld(far).data()),
+      points->InsertNextPoint(placement.ToWorld(Along(far, 1.0, quad.Edge2)).data()),
+      points->InsertNextPoint(placement.ToWorld(Along(quad.Origin, 1.0, quad.Edge2)).data()) };
+    polygons->InsertNextCell(4, corners);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetPolys(polygons);
+  return data;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> MakeQuadActor(const std::vector<Quad>& quads, const Placement& placement)
+{
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
+  mapper->SetInputData(MakeQuads(quads, placement));
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetAmbient(0.0);
   actor->GetProperty()->SetDiffuse(1.0);
   actor->GetProperty()->SetSpecular(0.0);
   return actor;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Quad> BoxQuads(const std::array<double, 6>& b)
+{
+  const Point low = { { b[0], b[2], b[4] } };
+  const Point high = { { b[1], b[3], b[5] } };
+  std::vector<Quad> quads;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Edges ordered so that the low corner's sides face outwards, and the high corner's as well.
+    Point edges[2] = { { { 0.0, 0.0, 0.0 } }, { { 0.0, 0.0, 0.0 } } };
+    const int first = (axis + 1) % 3;
+    const int second = (axis + 2) % 3;
+    edges[0][first] = high[first] - low[first];
+    edges[1][second] = high[second] - low[second];
+    quads.push_back({ low, edges[1], edges[0] });
+    edges[0][first] = -edges[0][first];
+    edges[1][second] = -edges[1][second];
+    quads.push_back({ high, edges[0], edges[1] });
+  }
+  return quads;
 }
 
 //------------------------------------------------------------------------------
@@ -187,7 +217,9 @@ Scene MakeRectangleScene(Weights weights, const Placement& placement)
   scene.Region = { { -1.4, 1.1, -1.1, 1.3 } };
   scene.Visibility = [=](const Point& p)
   { return VisibilityOfRectangle(p, blocker, light, weights); };
-  scene.Across = [](const Point& p) { return std::abs(p[1] - 0.1) < 0.25 ? p[0] : NaN; };
+  // The edge on the right, away from the corners.
+  scene.Across = [](const Point& p)
+  { return p[0] > -0.15 && std::abs(p[1] - 0.1) < 0.25 ? p[0] : NaN; };
 
   scene.Light->PositionalOn();
   scene.Light->SetConeAngle(60.0);

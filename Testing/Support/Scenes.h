@@ -23,6 +23,7 @@
 
 class vtkActor;
 class vtkAreaLight;
+class vtkPolyData;
 class vtkRenderer;
 
 namespace SoftShadowsTesting
@@ -49,8 +50,16 @@ struct Quad
   bool Blocks(const Point& from, const Point& to) const;
 };
 
-/// A matte actor of one parallelogram, its points in double.
-vtkSmartPointer<vtkActor> MakeQuadActor(const Quad& quad, const Placement& placement = Placement());
+/// Parallelograms as one data set, its points in double and in world coordinates.
+vtkSmartPointer<vtkPolyData> MakeQuads(
+  const std::vector<Quad>& quads, const Placement& placement = Placement());
+
+/// A matte actor of them: no ambient, no specular light.
+vtkSmartPointer<vtkActor> MakeQuadActor(
+  const std::vector<Quad>& quads, const Placement& placement = Placement());
+
+/// The six sides of a box {xmin, xmax, ymin, ymax, zmin, zmax}.
+std::vector<Quad> BoxQuads(const std::array<double, 6>& bounds);
 
 struct Scene
 {
@@ -70,7 +79,7 @@ struct Scene
   /// Bounds {xmin, xmax, ymin, ymax} on the plane z = 0 within which the closed form holds.
   std::array<double, 4> Region;
   std::function<double(const Point&)> Visibility;
-  /// A coordinate across the penumbra, NaN where there is no such thing (corners).
+  /// A coordinate across one edge's penumbra, NaN where there is no such thing (corners).
   std::function<double(const Point&)> Across;
   ///@}
 
