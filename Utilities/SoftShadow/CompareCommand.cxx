@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CompareCommand.h"
 
-#include "OutputFiles.h"
-
 #include "DifferencePicture.h"
 #include "ErrorReport.h"
 #include "Silhouettes.h"
@@ -71,14 +69,14 @@ std::string PicturePath(const CompareOptions& options, size_t light)
 }
 
 //--------------------------------------------------------------------------------------------------
-void WriteReport(const std::string& path, const nlohmann::ordered_json& report)
+void WriteReport(const CompareOptions& options, const nlohmann::ordered_json& report)
 {
-  std::ofstream file(path);
+  std::ofstream file(options.Report);
   file << report.dump(2) << '\n';
   file.close();
   if (!file)
   {
-    throw std::runtime_error(path + ": cannot be written");
+    throw std::runtime_error(options.Report + ": cannot be written");
   }
 }
 
@@ -94,8 +92,6 @@ void Compare(const CompareOptions& options)
     leftOut = FindSilhouettes(reference.Width, reference.Height, reference.Depth);
   }
 
-  OutputFiles outputs({ options.Reference, options.Candidate });
-  const std::string reportFile = outputs.Add(options.Report);
   nlohmann::ordered_json report = { { "reference", options.Reference },
     { "candidate", options.Candidate }, { "width", reference.Width },
     { "height", reference.Height }, { "lights", nlohmann::ordered_json::array() } };
@@ -114,15 +110,14 @@ void Compare(const CompareOptions& options)
     report["lights"].push_back(entry);
     if (!options.Picture.empty())
     {
-      WritePicture(outputs.Add(PicturePath(options, light)), reference.Width, reference.Height,
+      WritePicture(PicturePath(options, light), reference.Width, reference.Height,
         DrawDifference(truth, estimate, options.Range));
     }
   }
-  if (!reportFile.empty())
+  if (!options.Report.empty())
   {
-    WriteReport(reportFile, report);
+    WriteReport(options, report);
   }
-  outputs.Commit();
 }
 
 }

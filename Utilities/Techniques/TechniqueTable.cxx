@@ -10,7 +10,6 @@ namespace softshadows
 Technique MakeSampledTechnique();
 Technique MakePercentageCloserTechnique();
 Technique MakeCascadedTechnique();
-Technique MakeVirtualTechnique();
 
 //--------------------------------------------------------------------------------------------------
 const std::vector<Technique>& GetTechniques()
@@ -19,7 +18,6 @@ const std::vector<Technique>& GetTechniques()
     MakeSampledTechnique(),
     MakePercentageCloserTechnique(),
     MakeCascadedTechnique(),
-    MakeVirtualTechnique(),
   };
   return techniques;
 }

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// A frame leaves everything as it was, and a pass that goes leaves nothing behind.
+#include "GLObjectCounter.h"
+#include "GLStateSnapshot.h"
+#include "ImageComparison.h"
+#include "Props.h"
+#include "Stage.h"
+#include "Techniques.h"
+
+#include "vtkActor.h"
+#include "vtkAreaLight.h"
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShadowCasters.h"
+#include "vtkSoftShadowPass.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+using namespace SoftShadowsTesting;
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+/// Renders another pass and keeps the OpenGL state before and after it.
+class ProbePass : public vtkRenderPass
+{
+public:
+  static ProbePass* New();
+  vtkTypeMacro(ProbePass, vtkRenderPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow());
+    const GLStateSnapshot before(window);
+    this->Inner->Render(state);
+    this->Difference = before.DifferenceTo(GLStateSnapshot(window));
+    this->CacheErrors = StateCacheErrors(window);
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Inner->ReleaseGraphicsResources(window);
+  }
+
+  vtkSmartPointer<vtkRenderPass> Inner;
+  std::string Difference;
+  std::string CacheErrors;
+};
+vtkStandardNewMacro(ProbePass);
+
+class Hygiene : public testing::TestWithParam<Technique>
+{
+protected:
+  vtkSmartPointer<vtkSoftShadowPass> MakePass() const
+  {
+    return this->GetParam().Make(Effort::Quick, Weights::Mean);
+  }
+};
+
+//------------------------------------------------------------------------------
+/// A difference without what every mapper leaves behind: its program and, when new, its buffer.
+std::string WithoutMappers(std::string difference)
+{
+  for (const char* name : { "program:", "array buffer:" })
+  {
+    const std::size_t start = difference.find(name);
+    if (start != std::string::npos)
+    {
+      difference.erase(start, difference.find('\n', start) + 1 - start);
+    }
+  }
+  return difference;
+}
+
+//------------------------------------------------------------------------------
+/// Times of everything in the scene that belongs to the application.
+std::vector<vtkMTimeType> Times(const BallScene& scene, vtkLight* headlight)
+{
+  return { scene.Renderer->GetActiveCamera()->GetMTime(), scene.Lamp->GetMTime(),
+    headlight->GetMTime(), scene.Ball->GetMTime(), scene.Ground->GetMTime(),
+    scene.Ball->GetRedrawMTime(), scene.Ground->GetRedrawMTime() };
+}
+
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Hygiene, OpenGLStateIsRestored)
+{
+  const BallScene scene = MakeBallScene();
+  OffscreenWindow window(100, 75);
+  window.Add(scene.Renderer);
+  const auto pass = this->MakePass();
+  vtkNew<ProbePass> probe;
+  probe->Inner = pass;
+  UsePass(scene.Renderer, probe);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    scene.Ball->AddPosition(0.1, 0.0, 0.0); // bakes, draws receivers and visibility
+    window.Render();
+    EXPECT_EQ(WithoutMappers(probe->Difference), "") << "frame " << frame;
+    EXPECT_EQ(probe->CacheErrors, "") << "frame " << frame;
+  }
+  pass->ReleaseGraphicsResources(window.Get());
+  scene.Renderer->SetPass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+// After frames with the pass, VTK's own frame draws what it always drew.
+TEST_P(Hygiene, LaterFramesAreVtkOwn)
+{
+  const BallScene scene = MakeBallScene();
+  Stage stage(scene.Renderer, nullptr, 100, 75);
+  const Picture before = stage.RenderColors();
+  stage.SetPass(this->MakePass());
+  EXPECT_FALSE(Matches(stage.RenderColors(), before, SameToRounding)) << "there is no shadow";
+  stage.SetPass(nullptr);
+  EXPECT_TRUE(Matches(stage.RenderColors(), before, Identical));
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Hygiene, SceneIsNotTouched)
+{
+  const BallScene scene = MakeBallScene();
+  vtkNew<vtkLight> headlight;
+  headlight->SetLightTypeToHeadlight();
+  headlight->SetIntensity(0.1);
+  scene.Renderer->AddLight(headlight);
+  vtkNew<vtkInformation> keys;
+  keys->Set(vtkShadowCasters::RECEIVES_SHADOW(), 1);
+  scene.Ball->SetPropertyKeys(keys);
+  Stage stage(scene.Renderer, this->MakePass(), 100, 75);
+  stage.Render(); // the first frame sets up camera and headlight, as VTK's own does
+
+  const std::vector<vtkMTimeType> times = Times(scene, headlight);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    stage.Render();
+    // Headlights follow the camera: VTK's own light step sets them in every frame.
+    std::vector<vtkMTimeType> now = Times(scene, headlight);
+    now[2] = times[2];
+    EXPECT_EQ(now, times) << "frame " << frame
+                          << ": camera, lamp, headlight, ball, ground, redraw of both";
+  }
+  EXPECT_EQ(scene.Ball->GetPropertyKeys(), keys.Get());
+  EXPECT_EQ(keys->GetNumberOfKeys(), 1) << "keys of the pass are left";
+  EXPECT_TRUE(
+    !scene.Ground->GetPropertyKeys() || scene.Ground->GetPropertyKeys()->GetNumberOfKeys() == 0);
+  EXPECT_EQ(scene.Renderer->GetLights()->GetNumberOfItems(), 2);
+}
+
+//------------------------------------------------------------------------------
+// Programs stay in VTK's cache of shaders by VTK's design, but each only once.
+TEST_P(Hygiene, ReleaseLeaksNothing)
+{
+  const BallScene scene = MakeBallScene();
+  Stage stage(scene.Renderer, nullptr, 100, 75);
+  stage.Render();
+  const GLObjectCounts plain = CountGLObjects(stage.GetWindow().GetOpenGL());
+  GLObjectCounts first;
+  for (int round = 0; round < 3; ++round)
+  {
+    stage.SetPass(this->MakePass());
+    stage.Render();
+    stage.SetPass(nullptr);
+    stage.Render();
+    GLObjectCounts now = CountGLObjects(stage.GetWindow().GetOpenGL());
+    if (round == 0)
+    {
+      first = now;
+    }
+    EXPECT_EQ(now, first) << "round " << round;
+    now.Programs = plain.Programs;
+    now.Shaders = plain.Shaders;
+    EXPECT_EQ(now, plain) << "round " << round;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Hygiene, ResizeLeaksNothing)
+{
+  const BallScene scene = MakeBallScene();
+  Stage stage(scene.Renderer, this->MakePass(), 100, 75);
+  stage.Render();
+  const GLObjectCounts before = CountGLObjects(stage.GetWindow().GetOpenGL());
+  for (const int width : { 130, 60, 100 })
+  {
+    stage.GetWindow().Resize(width, 75);
+    stage.Render();
+    EXPECT_EQ(CountGLObjects(stage.GetWindow().GetOpenGL()), before) << "width " << width;
+  }
+}
+
+//------------------------------------------------------------------------------
+// A release in the middle of a session: the next frame makes everything anew, and the same.
+TEST_P(Hygiene, ReleasedPassDrawsAgain)
+{
+  const BallScene scene = MakeBallScene();
+  const auto pass = this->MakePass();
+  Stage stage(scene.Renderer, pass, 100, 75);
+  const Picture before = stage.RenderVisibility(scene.Lamp);
+  const GLObjectCounts objects = CountGLObjects(stage.GetWindow().GetOpenGL());
+  pass->ReleaseGraphicsResources(stage.GetWindow().Get());
+  EXPECT_NE(CountGLObjects(stage.GetWindow().GetOpenGL()), objects);
+  EXPECT_TRUE(Matches(stage.RenderVisibility(scene.Lamp), before, Identical));
+  EXPECT_EQ(CountGLObjects(stage.GetWindow().GetOpenGL()), objects);
+}
+
+//------------------------------------------------------------------------------
+// Techniques by turns, as a user compares them.
+TEST(PassSwitching, LeaksNothing)
+{
+  const BallScene scene = MakeBallScene();
+  Stage stage(scene.Renderer, nullptr, 100, 75);
+  std::vector<GLObjectCounts> counts;
+  for (int round = 0; round < 3; ++round)
+  {
+    for (const Technique& technique : AllTechniques())
+    {
+      stage.SetPass(technique.Make(Effort::Quick, Weights::Mean));
+      stage.Render();
+    }
+    counts.push_back(CountGLObjects(stage.GetWindow().GetOpenGL()));
+  }
+  EXPECT_EQ(counts[1], counts[0]);
+  EXPECT_EQ(counts[2], counts[0]);
+}
+
+//------------------------------------------------------------------------------
+// The pass outlives its window, as in applications that close one view of several.
+TEST_P(Hygiene, PassOutlivesItsWindow)
+{
+  const BallScene scene = MakeBallScene();
+  const auto pass = this->MakePass();
+  Picture first;
+  {
+    Stage stage(scene.Renderer, pass, 100, 75);
+    first = stage.RenderVisibility(scene.Lamp);
+  }
+  Stage stage(scene.Renderer, pass, 100, 75);
+  EXPECT_TRUE(Matches(stage.RenderVisibility(scene.Lamp), first, Identical));
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, Hygiene, testing::ValuesIn(AllTechniques()), NameOfTechnique);
