@@ -237,8 +237,8 @@ void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
       this->HasGaussianWeights());
     if (faceMaps)
     {
-      const int baked = maps.BakeFaces(
-        s->GetRenderer(), impl.Casters, this->MapSize, this->NeedsConservativeMaps(), pyramid);
+      const int baked = maps.BakeFaces(s->GetRenderer(), impl.Casters, this->GetEmitterMapSize(),
+        this->NeedsConservativeMaps(), pyramid);
       this->CountBakes(baked);
     }
   }
@@ -247,9 +247,9 @@ void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void vtkSoftShadowPass::CountBakes(int maps)
 {
+  const vtkTypeInt64 size = this->GetEmitterMapSize();
   this->Impl->Statistics.MapsBaked += maps;
-  this->Impl->Statistics.TexelsDrawn +=
-    static_cast<vtkTypeInt64>(maps) * this->MapSize * this->MapSize;
+  this->Impl->Statistics.TexelsDrawn += maps * size * size;
 }
 
 //------------------------------------------------------------------------------

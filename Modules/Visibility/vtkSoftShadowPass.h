@@ -199,6 +199,9 @@ protected:
   /// Whether AddVisibility needs a map from the emitter's centre. Default is yes.
   virtual bool NeedsEmitterMap() const { return true; }
 
+  /// Texels along an edge of those maps. Default is MapSize.
+  virtual int GetEmitterMapSize() const { return this->MapSize; }
+
   /// Whether those maps are rasterised conservatively. Default is no.
   virtual bool NeedsConservativeMaps() const { return false; }
 
@@ -254,10 +257,10 @@ protected:
   /// Draws the technique's shader and counts the pixels that it filters.
   void DrawFiltered(vtkShadowShader& shader);
 
-  /// How many maps of MapSize fit MapMemory, at least 1.
+  /// How many of the emitters' maps fit MapMemory, at least 1.
   size_t GetMapsPerBatch() const;
 
-  /// Adds to the counts of maps and texels.
+  /// Adds to the counts of maps and, each of the emitters' size, texels.
   void CountBakes(int maps);
 
   /**

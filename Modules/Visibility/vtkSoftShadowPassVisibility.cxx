@@ -134,7 +134,7 @@ void vtkSoftShadowPass::EstimatePart(
   {
     int baked = 0;
     context.Layer =
-      maps.BakePart(context.Renderer, impl.Casters, faceIndex, partIndex, this->MapSize,
+      maps.BakePart(context.Renderer, impl.Casters, faceIndex, partIndex, this->GetEmitterMapSize(),
         this->NeedsConservativeMaps(), this->GetMapsPerBatch(), this->NeedsPyramid(), baked);
     context.Maps = maps.GetPartMaps();
     context.Pyramid = maps.GetPartPyramid();
@@ -165,7 +165,7 @@ void vtkSoftShadowPass::DrawMarks(const vtkSoftShadowContext& context, const vtk
   vtkShadowTextureArray* pyramid = context.Pyramid->GetTexture();
   if (proof != PROVES_NOTHING)
   {
-    this->SetMapUniforms(program, context, *view, this->MapSize);
+    this->SetMapUniforms(program, context, *view, this->GetEmitterMapSize());
     program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
   }
   program->SetUniformi("depthPyramid", pyramid->Activate(context.Window));
@@ -278,7 +278,8 @@ void vtkSoftShadowPass::SetSampleUniforms(vtkShaderProgram* program,
 //------------------------------------------------------------------------------
 size_t vtkSoftShadowPass::GetMapsPerBatch() const
 {
-  const size_t bytes = static_cast<size_t>(this->MapSize) * this->MapSize * 4;
+  const auto size = static_cast<size_t>(this->GetEmitterMapSize());
+  const size_t bytes = size * size * 4;
   return std::max<size_t>((static_cast<size_t>(this->MapMemory) << 20) / bytes, 1);
 }
 

@@ -27,9 +27,12 @@ struct BenchmarkSettings
   int Rounds = 9;
   /// Time that one contestant may use for one scene, in seconds; one frame per motion is always run.
   double SecondsPerContestant = 20.0;
+  /// Seconds; contestants whose frames will take longer are left out.
+  double LongestFrame = 60.0;
   int ReferenceSamplesPerAxis = 48;
   /// Where references are kept; empty: nowhere.
   std::string CacheFolder;
+  /// Pictures of the first contestant of every technique.
   bool Pictures = true;
 };
 
@@ -40,6 +43,8 @@ struct BenchmarkScene
   int Width = 0;
   int Height = 0;
   SceneFactory Make;
+  /// One of a family that grows in actors or triangles: a few contestants are enough.
+  bool Grows = false;
   /// Set instead if not even the file could be read.
   std::string Failure;
 };

@@ -101,10 +101,11 @@ double SceneTrial::Foresee(const ContestantChoice& choice) const
   double seconds = 0.0;
   for (const Entry& entry : this->Entries)
   {
-    if (AreOfOneKind(choice, entry.Result) && entry.SecondsPerFrame > 0.0)
+    // Fewer samples never take longer, but what they save is unknown.
+    const double more = GetSamples(choice.Options) / GetSamples(entry.Result.Options);
+    if (AreOfOneKind(choice, entry.Result) && entry.SecondsPerFrame > 0.0 && more > 1.0)
     {
-      seconds =
-        entry.SecondsPerFrame * GetSamples(choice.Options) / GetSamples(entry.Result.Options);
+      seconds = more * entry.SecondsPerFrame;
     }
   }
   return seconds;
@@ -119,7 +120,7 @@ void SceneTrial::Add(const ContestantChoice& choice)
   entry.Result.Technique = choice.Technique;
   entry.Result.Options = choice.Options;
   const double seconds = this->Foresee(choice);
-  if (seconds > this->Settings.SecondsPerContestant)
+  if (seconds > this->Settings.LongestFrame)
   {
     std::ostringstream text;
     text.precision(2);
@@ -165,7 +166,12 @@ void SceneTrial::Judge(Entry& entry) const
       width, height, this->Reference.Visibility[light], images[light], this->Silhouettes));
   }
   entry.Result.Rmse = TotalRmse(entry.Result.Errors);
-  if (!this->Settings.Pictures)
+  const auto isShown = [&entry](const Entry& other)
+  {
+    const bool isOther = &other != &entry;
+    return isOther && other.Runner && other.Result.Technique == entry.Result.Technique;
+  };
+  if (!this->Settings.Pictures || std::any_of(this->Entries.begin(), this->Entries.end(), isShown))
   {
     return;
   }

@@ -22,8 +22,8 @@ public:
 
   /**
    * Makes a contestant, warms it up and compares its visibility. One that fails is kept with its
-   * reason. One with samples is not even tried where the last of its kind tells that it would take
-   * more than its seconds.
+   * reason. One with samples is not even tried where one of its kind with fewer tells that a frame
+   * would take too long.
    */
   void Add(const ContestantChoice& choice);
 

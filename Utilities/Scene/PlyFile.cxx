@@ -231,6 +231,10 @@ vtkSmartPointer<vtkPolyData> ReadPly(const std::string& path)
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   for (const PlyHeader::Element& element : header.Elements)
   {
+    if (element.Properties.empty())
+    {
+      continue; // nothing in the file, however many there are said to be
+    }
     if (element.Name == "vertex")
     {
       ReadVertices(body, element, mesh);

@@ -7,6 +7,7 @@
 #include "Suggestion.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <sstream>
 
@@ -27,7 +28,7 @@ std::string Spell(double value)
   std::ostringstream text;
   text.precision(6);
   text << value;
-  if (std::stod(text.str()) != value)
+  if (std::strtod(text.str().c_str(), nullptr) != value) // stod throws for the smallest numbers
   {
     text.str("");
     text.precision(std::numeric_limits<double>::max_digits10);

@@ -16,6 +16,7 @@ fi
 
 mkdir -p "$build"
 log="$build/configure.log"
+options+=(--no-warn-unused-cli) # modules that look for Python may be off
 if ! cmake -S "$root" -B "$build" "${options[@]}" "$@" >"$log" 2>&1; then
     cat "$log"
     echo "Configuring failed; this was $log" >&2

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CompareCommand.h"
 
+#include "OutputFiles.h"
+
 #include "DifferencePicture.h"
 #include "ErrorReport.h"
 #include "Silhouettes.h"
@@ -69,14 +71,14 @@ std::string PicturePath(const CompareOptions& options, size_t light)
 }
 
 //--------------------------------------------------------------------------------------------------
-void WriteReport(const CompareOptions& options, const nlohmann::ordered_json& report)
+void WriteReport(const std::string& path, const nlohmann::ordered_json& report)
 {
-  std::ofstream file(options.Report);
+  std::ofstream file(path);
   file << report.dump(2) << '\n';
   file.close();
   if (!file)
   {
-    throw std::runtime_error(options.Report + ": cannot be written");
+    throw std::runtime_error(path + ": cannot be written");
   }
 }
 
@@ -92,6 +94,8 @@ void Compare(const CompareOptions& options)
     leftOut = FindSilhouettes(reference.Width, reference.Height, reference.Depth);
   }
 
+  OutputFiles outputs({ options.Reference, options.Candidate });
+  const std::string reportFile = outputs.Add(options.Report);
   nlohmann::ordered_json report = { { "reference", options.Reference },
     { "candidate", options.Candidate }, { "width", reference.Width },
     { "height", reference.Height }, { "lights", nlohmann::ordered_json::array() } };
@@ -110,14 +114,15 @@ void Compare(const CompareOptions& options)
     report["lights"].push_back(entry);
     if (!options.Picture.empty())
     {
-      WritePicture(PicturePath(options, light), reference.Width, reference.Height,
+      WritePicture(outputs.Add(PicturePath(options, light)), reference.Width, reference.Height,
         DrawDifference(truth, estimate, options.Range));
     }
   }
-  if (!options.Report.empty())
+  if (!reportFile.empty())
   {
-    WriteReport(options, report);
+    WriteReport(reportFile, report);
   }
+  outputs.Commit();
 }
 
 }

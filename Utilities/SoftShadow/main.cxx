@@ -5,6 +5,11 @@
 #include "CompareCommand.h"
 #include "RenderCommand.h"
 
+#ifdef SOFTSHADOWS_HAVE_RAY_TRACING
+#include "BenchmarkCommand.h"
+#include "ReferenceCommand.h"
+#endif
+
 #include "Technique.h"
 
 #include <CLI/CLI.hpp>
@@ -29,6 +34,10 @@ int Run(int argc, char** argv)
     "Print the techniques and their options, and end");
   softshadows::AddRenderCommand(app);
   softshadows::AddCompareCommand(app);
+#ifdef SOFTSHADOWS_HAVE_RAY_TRACING
+  softshadows::AddReferenceCommand(app);
+  softshadows::AddBenchmarkCommand(app);
+#endif
   app.require_subcommand(0, 1);
   try
   {

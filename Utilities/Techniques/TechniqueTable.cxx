@@ -10,6 +10,7 @@ namespace softshadows
 Technique MakeSampledTechnique();
 Technique MakePercentageCloserTechnique();
 Technique MakeCascadedTechnique();
+Technique MakeVirtualTechnique();
 
 //--------------------------------------------------------------------------------------------------
 const std::vector<Technique>& GetTechniques()
@@ -18,6 +19,7 @@ const std::vector<Technique>& GetTechniques()
     MakeSampledTechnique(),
     MakePercentageCloserTechnique(),
     MakeCascadedTechnique(),
+    MakeVirtualTechnique(),
   };
   return techniques;
 }

@@ -39,7 +39,7 @@ BenchmarkScene MakeScene()
       ModelStore models;
       return BuildScene(description, models).Renderer;
     },
-    "" };
+    false, "" };
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -114,8 +114,11 @@ TEST_F(BenchmarkRun, JudgesAndTimesEveryContestant)
     {
       EXPECT_EQ(times.Milliseconds.size(), 3U) << name;
     }
-    EXPECT_FALSE(Get(name).Picture.Pixels.empty()) << name;
   }
+  EXPECT_FALSE(Get("plain").Picture.Pixels.empty());
+  EXPECT_FALSE(Get("sampled map_size=512 samples=1").Difference.Pixels.empty());
+  EXPECT_TRUE(Get("sampled map_size=512 samples=64").Difference.Pixels.empty())
+    << "pictures are of the first of a technique";
   EXPECT_FALSE(Get("plain").HasErrors());
   EXPECT_FALSE(Get("vtk").HasErrors());
   EXPECT_LT(

@@ -98,10 +98,10 @@ TEST_F(ModelFiles, OfAllKindsAreRead)
     double Bounds[6];
   } files[] = {
     { "bunny.ply", 3674, { -4.958475, 4.94885, -0.003149, 9.654748, -3.729833, 3.810639 } },
-    { "dragon.ply", 11102, { -0.107585, 0.0952357, 0.0528441, 0.196343, -0.049836, 0.0408262 } },
+    { "dragon.ply", 11948, { -0.107747, 0.095838, 0.052732, 0.196599, -0.050066, 0.040745 } },
     { "teapot.obj", 992, { -16.070313, 16.070313, -7.875, 7.875, -10, 10 } },
     { "bunny.stl", 918, { -4.96, 4.95, 0.0, 9.65, -3.73, 3.81 } },
-    { "dragon.vtp", 3329, { -0.1044, 0.0945, 0.0528, 0.1963, -0.0498, 0.0408 } },
+    { "dragon.vtp", 3344, { -0.106849, 0.096824, 0.052618, 0.196981, -0.049954, 0.041509 } },
   };
   for (const auto& file : files)
   {
@@ -214,6 +214,21 @@ TEST_F(ModelFiles, TruncatedAnywhereAreRefused)
     this->Write("cut.ply", ascii.substr(0, length));
     EXPECT_NE(this->ErrorOf("cut.ply"), "") << "ASCII at " << length;
   }
+}
+
+TEST_F(ModelFiles, ThatAnnounceMoreThanThereCanBeAreRefusedAtOnce)
+{
+  std::string bytes = AsciiTriangle;
+  bytes.insert(bytes.find("element face"), "element nothing 999999999999\n");
+  this->Write("a.ply", bytes);
+  EXPECT_EQ(this->ErrorOf("a.ply"), "");
+  bytes.replace(bytes.find("vertex 3"), 8, "vertex 999999999999");
+  this->Write("a.ply", bytes);
+  EXPECT_NE(this->ErrorOf("a.ply"), "");
+  std::string stl(84, '\0');
+  stl.replace(80, 4, "\xff\xff\xff\xff");
+  this->Write("a.stl", stl);
+  ExpectError(this->ErrorOf("a.stl"), "announces 4294967295 triangles");
 }
 
 TEST_F(ModelFiles, WithCornersThatDoNotExistAreRefused)

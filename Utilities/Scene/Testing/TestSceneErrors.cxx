@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <ostream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -95,6 +97,8 @@ const std::vector<WrongScene> WrongFrames = {
     "must be at least 1 and at most 16384, is 0" },
   { "WidthFraction", "{\"version\": 1,\n\"image\": {\"width\": 640.5}}", 2, "image.width",
     "must be a whole number, is 640.5" },
+  { "WidthTiny", "{\"version\": 1,\n\"image\": {\"width\": 1e-320}}", 2, "image.width",
+    "must be at least 1 and at most 16384, is" },
   { "HeightHuge", "{\"version\": 1,\n\"image\": {\"height\": 100000}}", 2, "image.height",
     "at most 16384, is 100000" },
   { "HeightText", "{\"version\": 1,\n\"image\": {\"height\": \"480\"}}", 2, "image.height",
@@ -321,6 +325,49 @@ TEST(SceneErrorLimits, EveryPrefixOfASceneIsRefusedWithoutHarm)
   {
     EXPECT_THROW(ParseScene(scene.substr(0, length), "scene.json"), SceneError) << length;
   }
+}
+
+TEST(SceneErrorLimits, DamagedScenesAreRefusedOrReadWithoutHarm)
+{
+  const std::string scene = R"({"version": 1, "image": {"width": 64, "height": 48},
+    "camera": {"position": [0, -4, 2], "view_up": [0, 0, 1], "view_angle": 30},
+    "lights": [{"position": [2, -2, 4], "shape": "disk", "size": [0.5, 0.5], "cone_angle": 45},
+      {"directional": true, "position": [1, 1, 3], "angular_diameter": 0.53}],
+    "objects": [{"file": "a.ply", "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], "color": [1,1,1]},
+      {"source": "sphere", "radius": 0.5, "theta_resolution": 64}, {"source": "torus"}]})";
+  const std::vector<std::string> pieces = { "1e999", "-0", "1e-320", "null", "true", "[", "]", "{",
+    "}", "\"", ",", ":", "\\u0000", "\xff", "99999999999999999999", "-1" };
+  std::mt19937 random(1);
+  const auto below = [&random](std::size_t end) { return random() % end; };
+  int read = 0;
+  constexpr int times = 20000;
+  for (int i = 0; i < times; ++i)
+  {
+    std::string damaged = scene;
+    const std::size_t place = below(damaged.size());
+    switch (below(3))
+    {
+      case 0:
+        damaged[place] = static_cast<char>(below(256));
+        break;
+      case 1:
+        damaged.erase(place, below(8));
+        break;
+      default:
+        damaged.insert(place, pieces[below(pieces.size())]);
+    }
+    try
+    {
+      ParseScene(damaged, "scene.json");
+      ++read;
+    }
+    catch (const SceneError& error)
+    {
+      ASSERT_GE(error.GetPlace().Line, 1) << error.what();
+    }
+  }
+  EXPECT_GT(read, 0);
+  EXPECT_LT(read, times / 2);
 }
 
 TEST(SceneFiles, AreNamedWhenTheyCannotBeRead)

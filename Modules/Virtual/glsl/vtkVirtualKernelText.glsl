@@ -1,0 +1,82 @@
+// The filter of one pixel; the same as vtkVirtualKernel in C++, which says what it is.
+// Lengths are texels of the map at hand. A texel is the square [i, i + 1] x [j, j + 1].
+
+const float leastHalfExtent = 2e-3; // a point is looked up, not integrated
+
+struct Kernel
+{
+  bool transposed; // strips are rows, not columns
+  float along;     // half extent across the strips
+  float lean;      // how far the end at +along leans
+  float across;    // half extent of a strip
+};
+
+struct Strip
+{
+  float width;
+  float low;
+  float high;
+};
+
+// Variance (ss, st, tt) of half axes u and v.
+vec3 varianceOf(vec2 u, vec2 v)
+{
+  return vec3(u.x * u.x + v.x * v.x, u.x * u.y + v.x * v.y, u.y * u.y + v.y * v.y);
+}
+
+// A disk's half extent stands for 1/4 of its square, a parallelogram's for 1/3.
+vec3 convolve(vec2 lightHalfExtent, bool disk, vec3 footprint)
+{
+  float share = disk ? 4.0 / 3.0 : 1.0;
+  return vec3(lightHalfExtent * lightHalfExtent, 0.0).xzy + share * footprint;
+}
+
+// Cholesky, along the longer side.
+Kernel kernelOf(vec3 variance, vec2 texelsPerUnit)
+{
+  vec3 scaled = variance * vec3(texelsPerUnit, 1.0).xxy * vec3(texelsPerUnit, 1.0).xyy;
+  Kernel kernel;
+  kernel.transposed = scaled.z > scaled.x;
+  vec2 squares = kernel.transposed ? scaled.zx : scaled.xz;
+  kernel.along = max(sqrt(squares.x), leastHalfExtent);
+  kernel.lean = scaled.y / kernel.along;
+  kernel.across = max(sqrt(max(squares.y - kernel.lean * kernel.lean, 0.0)), leastHalfExtent);
+  return kernel;
+}
+
+float kernelArea(Kernel kernel, bool disk)
+{
+  return (disk ? 3.14159265 : 4.0) * kernel.along * kernel.across;
+}
+
+// The integral of sqrt(1 - x^2) from 0 to x.
+float chordIntegral(float x)
+{
+  float clamped = clamp(x, -1.0, 1.0);
+  return 0.5 * (clamped * sqrt(1.0 - clamped * clamped) + asin(clamped));
+}
+
+// Strip index of the kernel around center (along the strips' axis, across it): a box.
+Strip stripOf(Kernel kernel, bool disk, vec2 center, float index)
+{
+  float from = max(index - center.x, -kernel.along);
+  float to = min(index + 1.0 - center.x, kernel.along);
+  float width = max(to - from, 0.0);
+  float halfHeight = kernel.across;
+  if (disk && width > 0.0)
+  {
+    halfHeight *=
+      (chordIntegral(to / kernel.along) - chordIntegral(from / kernel.along)) * kernel.along / width;
+  }
+  // A leaning strip is a box smeared by its lean: a box of that variance, and of the strip's area.
+  float slope = kernel.lean / kernel.along;
+  float smeared = length(vec2(halfHeight, 0.5 * slope * width));
+  float middle = center.y + slope * 0.5 * (from + to);
+  return Strip(width * halfHeight / max(smeared, 1e-20), middle - smeared, middle + smeared);
+}
+
+// Length of the strip within the texel at this index.
+float texelOverlap(Strip strip, float index)
+{
+  return max(min(strip.high, index + 1.0) - max(strip.low, index), 0.0);
+}

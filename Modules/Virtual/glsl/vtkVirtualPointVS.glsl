@@ -1,0 +1,28 @@
+//VTK::System::Dec
+
+// Step 4: one point per pixel of the screen, made from nothing but its number, falls into the cell
+// of the grid that the pixel lies in on the map.
+
+uniform sampler2DArray kernelShapes; // (variance, state)
+uniform sampler2DArray predictions;  // (s, t, texel sizes)
+uniform int screenWidth;
+uniform float gridSize;
+
+flat out vec4 wish; // texel sizes, and minus the half extents of the kernel in (s, t)
+
+void main()
+{
+  ivec3 pixel = ivec3(gl_VertexID % screenWidth, gl_VertexID / screenWidth, 0);
+  vec4 shape = texelFetch(kernelShapes, pixel, 0);
+  vec4 prediction = texelFetch(predictions, pixel, 0);
+  if (shape.w < VIRTUAL_PENUMBRA)
+  {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // nowhere
+    return;
+  }
+  // A leaning kernel reaches at most the root of 2 farther than its variance says.
+  wish = vec4(prediction.zw, -sqrt(2.0 * shape.xz));
+  // Receivers beside the map may still be reached by what is on it.
+  vec2 cell = clamp(floor(prediction.xy * gridSize), vec2(0.0), vec2(gridSize - 1.0));
+  gl_Position = vec4(2.0 * (cell + 0.5) / gridSize - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,198 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+
+// Step 3 of predicted virtual soft shadow maps (Shen et al. 2011): the kernel shape buffer. Finds
+// the mean depth of what blocks the pixel, the kernel that follows from it, and the texel size that
+// the kernel asks for.
+
+//SoftShadows::Include vtkShadowReceiver
+//SoftShadows::Include vtkShadowLight
+//SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowProof
+//SoftShadows::Include vtkShadowBlocker
+//VirtualSoftShadow::Kernel
+
+uniform mat4 viewToMap;
+uniform vec2 kernelScale;
+uniform float mapLayer;
+uniform int searchWidth;     // blocks along an edge of the search
+uniform int emitterDisk;
+uniform int hasPyramid;      // depthPyramid shows the emitter's own map
+uniform int antialiasing;
+uniform int cameraParallel;
+uniform vec2 halfPixel;      // view units per half pixel, at depth 1 if perspective
+uniform vec4 texelPolynomial;
+uniform float quality;
+uniform float largestKernel; // pixels
+
+// How the receiver's pixel lies on the map: half axes in (s, t).
+struct Footprint
+{
+  vec2 u;
+  vec2 v;
+};
+
+// No pixel counts as seen flatter than this: its footprint would have no end.
+const float flattestView = 0.01;
+
+// Moves along the screen's axis on the receiver's plane, then through the map's projection.
+vec2 warpAxis(vec3 axisVs, vec3 sightVs, Receiver receiver, MapPoint point)
+{
+  float facing = dot(receiver.normalVs, sightVs);
+  float least = flattestView * length(sightVs);
+  facing = abs(facing) < least ? (facing < 0.0 ? -least : least) : facing;
+  vec3 along = axisVs - sightVs * (dot(receiver.normalVs, axisVs) / facing);
+  vec4 moved = viewToMap * vec4(along, 0.0);
+  float w = (viewToMap * vec4(receiver.positionVs, 1.0)).w;
+  return (moved.xy - point.std.xy * moved.w) / w;
+}
+
+Footprint footprintOf(Receiver receiver, MapPoint point)
+{
+  float depth = cameraParallel == 1 ? 1.0 : abs(receiver.positionVs.z);
+  vec3 sight = cameraParallel == 1 ? vec3(0.0, 0.0, -1.0) : receiver.positionVs;
+  return Footprint(warpAxis(vec3(halfPixel.x * depth, 0.0, 0.0), sight, receiver, point),
+    warpAxis(vec3(0.0, halfPixel.y * depth, 0.0), sight, receiver, point));
+}
+
+// Length of [low, high] within [from, to].
+vec2 overlap(vec2 low, vec2 high, vec2 from, vec2 to)
+{
+  return max(min(high, to) - max(low, from), vec2(0.0));
+}
+
+// Sum of linear depths and of weights over the blockers in a rectangle of texels. Blocks of stride
+// texels stand for one another; their overlap with the rectangle is their weight.
+vec2 sumBlockers(MapPoint point, vec2 low, vec2 high, ivec2 stride)
+{
+  ivec2 last = min(ivec2(floor(high)), ivec2(depthMapSize) - 1);
+  ivec2 first = max(ivec2(floor(low)), ivec2(0)) / stride * stride;
+  vec2 sums = vec2(0.0);
+  for (int y = first.y; y <= last.y; y += stride.y)
+  {
+    for (int x = first.x; x <= last.x; x += stride.x)
+    {
+      vec2 block = vec2(x, y);
+      vec2 st = (min(block + vec2(stride / 2), depthMapSize - 1.0) + 0.5) / depthMapSize;
+      float depth = mapDepth(st, mapLayer);
+      if (depth < receiverDepth(point, st))
+      {
+        vec2 part = overlap(low, high, block, block + vec2(stride));
+        sums += part.x * part.y * vec2(linearDepth(depth), 1.0);
+      }
+    }
+  }
+  return sums;
+}
+
+// The map depth of the blockers' mean linear depth; negative if nothing blocks.
+float meanBlocker(MapPoint point, vec2 halfWidth)
+{
+  vec2 reach = max(halfWidth * depthMapSize, vec2(0.05)); // texels; a point still has a weight
+  vec2 center = point.std.xy * depthMapSize;
+  vec2 low = center - reach;
+  vec2 high = center + reach;
+  ivec2 stride = max(ivec2(ceil(2.0 * reach / float(searchWidth))), ivec2(1));
+  vec2 sums = sumBlockers(point, low, high, stride);
+  if (sums.y <= 0.0 && (stride.x > 1 || stride.y > 1))
+  {
+    // Something thin may stand between the blocks' samples.
+    sums = sumBlockers(point, low, high, ivec2(1));
+  }
+  return sums.y > 0.0 ? mapDepthOfLinear(sums.x / sums.y) : -1.0;
+}
+
+// False if nothing can block; else the half width within which it can.
+bool searchWidthOf(MapPoint point, vec2 pixelReach, out vec2 halfWidth)
+{
+  halfWidth = kernelScale * max(point.std.z, 0.0) + pixelReach;
+  if (hasPyramid == 0)
+  {
+    return true;
+  }
+  DepthRange range = searchPyramid(point, halfWidth, mapLayer);
+  if (!range.anyBlocker)
+  {
+    return false;
+  }
+  // Nothing lies in front of the nearest depth, so nothing outside its kernel can matter.
+  halfWidth = kernelScale * max(point.std.z - range.nearest, 0.0) + pixelReach;
+  return searchPyramid(point, halfWidth, mapLayer).anyBlocker;
+}
+
+// Texels that a kernel of so many pixels needs.
+float texelsOf(float pixels)
+{
+  float x = log2(clamp(pixels, 1.0, largestKernel));
+  return max(dot(texelPolynomial, vec4(1.0, x, x * x, x * x * x)), 1.0);
+}
+
+// Equations 4 and 5.
+vec2 predictTexelSize(vec3 variance, Footprint footprint)
+{
+  float along = sqrt(variance.x);
+  float lean = along > 0.0 ? variance.y / along : 0.0;
+  float across = sqrt(max(variance.z - lean * lean, 0.0));
+  vec2 u = footprint.u;
+  vec2 v = footprint.v;
+  float determinant = max(abs(u.x * v.y - u.y * v.x), 1e-30);
+  vec2 pixels = vec2(along * length(vec2(v.y, u.y)), across * length(vec2(v.x, u.x))) / determinant;
+  return 2.0 * vec2(along, across) / (quality * vec2(texelsOf(pixels.x), texelsOf(pixels.y)));
+}
+
+// x > 0 ? x^2 : 0
+float rampSquared(float x)
+{
+  return x > 0.0 ? x * x : 0.0;
+}
+
+// The share of the light in front of the receiver's plane; what is behind, the plane itself blocks.
+// In the light's window [-1, 1]^2 the plane's horizon is the line 1 + a . e = 0.
+float shareInFront(MapPoint point)
+{
+  vec2 a = abs(point.gradient * kernelScale);
+  float facing = 1.0;
+  if (emitterDisk == 1)
+  {
+    float edge = 1.0 / max(length(a), 1e-6);
+    facing = edge < 1.0 ? 0.5 + chordIntegral(edge) / 1.57079633 : 1.0;
+  }
+  else if (a.x + a.y > 1.0)
+  {
+    a = max(a, 1e-3 * max(a.x, a.y));
+    facing = (rampSquared(1.0 + a.x + a.y) - rampSquared(1.0 + a.x - a.y) -
+               rampSquared(1.0 - a.x + a.y) + rampSquared(1.0 - a.x - a.y)) /
+      (8.0 * a.x * a.y);
+  }
+  return clamp(point.facesCenter ? facing : 1.0 - facing, 0.0, 1.0);
+}
+
+void main()
+{
+  gl_FragData[0] = vec4(0.0, 0.0, 0.0, VIRTUAL_UNSERVED);
+  gl_FragData[1] = vec4(0.0);
+  Receiver receiver;
+  if (!loadReceiver(ivec2(gl_FragCoord.xy), receiver) || !lightReaches(receiver.positionVs))
+  {
+    return;
+  }
+  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  float inFront = shareInFront(point);
+  Footprint footprint = footprintOf(receiver, point);
+  vec3 footprintVariance = varianceOf(footprint.u, footprint.v);
+  vec2 pixelReach = antialiasing == 1 ? sqrt(2.0 * footprintVariance.xz) : vec2(0.0);
+  vec2 halfWidth;
+  bool mayBlock = inFront > 0.0 && searchWidthOf(point, pixelReach, halfWidth);
+  float blocker = mayBlock ? meanBlocker(point, halfWidth) : -1.0;
+  if (blocker < 0.0)
+  {
+    gl_FragData[0].w = VIRTUAL_LIT + inFront;
+    return;
+  }
+  vec2 light = kernelScale * max(point.std.z - blocker, 0.0);
+  bool disk = emitterDisk == 1;
+  vec3 full = convolve(light, disk, footprintVariance);
+  gl_FragData[0] =
+    vec4(antialiasing == 1 ? full : convolve(light, disk, vec3(0.0)), VIRTUAL_PENUMBRA + inFront);
+  gl_FragData[1] = vec4(point.std.xy, predictTexelSize(full, footprint));
+}

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVirtualGrid.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowsOpenGL.h"
+#include "vtkVirtualScreen.h"
+
+#include "vtkVirtualDilateFS.h"
+#include "vtkVirtualPointFS.h"
+#include "vtkVirtualPointVS.h"
+#include "vtkVirtualPyramidFS.h"
+
+#include <cstring>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr int GridSize = vtkVirtualTileTree::GridSize;
+constexpr int GridLevels = vtkVirtualTileTree::GridLevels;
+
+vtkShadowShader::Definitions GridDefinitions()
+{
+  return { { "VIRTUAL_PENUMBRA", std::to_string(vtkVirtualScreen::PENUMBRA) + ".0" },
+    { "VIRTUAL_UNUSED", std::to_string(vtkVirtualTileTree::Unused) } };
+}
+
+// Cells of all levels together.
+size_t CountCells()
+{
+  size_t cells = 0;
+  for (int level = 0; level < GridLevels; ++level)
+  {
+    cells += static_cast<size_t>(GridSize >> level) * (GridSize >> level);
+  }
+  return cells;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkVirtualGrid::vtkVirtualGrid()
+  : DilateShader(vtkVirtualDilateFS)
+  , PyramidShader(vtkVirtualPyramidFS)
+{
+  this->DilateShader.SetDefinitions(GridDefinitions());
+}
+
+//------------------------------------------------------------------------------
+vtkVirtualGrid::~vtkVirtualGrid() = default;
+
+//------------------------------------------------------------------------------
+bool vtkVirtualGrid::Allocate(vtkOpenGLRenderWindow* window)
+{
+  for (const auto& wishes : this->Wishes)
+  {
+    if (!wishes->Allocate(window, vtkShadowTextureArray::RGBA32F, GridSize, GridSize, 1))
+    {
+      return false;
+    }
+  }
+  if (!this->Cells->Allocate(
+        window, vtkShadowTextureArray::RG32F, GridSize, GridSize, 1, GridLevels))
+  {
+    return false;
+  }
+  if (!this->Framebuffer)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+    glGenBuffers(1, &this->PixelBuffer);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
+    glBufferData(GL_PIXEL_PACK_BUFFER,
+      static_cast<GLsizeiptr>(CountCells() * sizeof(vtkVirtualTileTree::Cell)), nullptr,
+      GL_STREAM_READ);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    this->VertexArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualGrid::Draw(vtkOpenGLRenderWindow* window, vtkVirtualScreen& screen)
+{
+  if (!this->Allocate(window))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  state->vtkglViewport(0, 0, GridSize, GridSize);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  if (!this->DrawPoints(window, screen))
+  {
+    return false;
+  }
+  state->vtkglDisable(GL_BLEND);
+  this->Wishes[1]->AttachLayer(0);
+  if (!this->Dilate(window, this->Wishes[0], 0))
+  {
+    return false;
+  }
+  this->Cells->AttachLayer(0);
+  if (!this->Dilate(window, this->Wishes[1], 1) || !this->DrawPyramid(window))
+  {
+    return false;
+  }
+  this->StartTransfer(window);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualGrid::DrawPoints(vtkOpenGLRenderWindow* window, vtkVirtualScreen& screen)
+{
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  if (this->PointProgram)
+  {
+    cache->ReadyShaderProgram(this->PointProgram);
+  }
+  else
+  {
+    const std::string vertex = vtkShadowShader::Compose(vtkVirtualPointVS, GridDefinitions());
+    this->PointProgram = cache->ReadyShaderProgram(vertex.c_str(), vtkVirtualPointFS, "");
+    ++this->PointBuilds;
+    if (!this->PointProgram)
+    {
+      return false;
+    }
+  }
+  this->Wishes[0]->AttachLayer(0);
+  const float unused[4] = { vtkVirtualTileTree::Unused, vtkVirtualTileTree::Unused, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, unused);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_MIN);
+  screen.Activate(this->PointProgram, vtkVirtualScreen::SHAPES);
+  screen.Activate(this->PointProgram, vtkVirtualScreen::PREDICTIONS);
+  vtkShadowTextureArray* shapes = screen.GetTexture(vtkVirtualScreen::SHAPES);
+  this->PointProgram->SetUniformi("screenWidth", shapes->GetWidth());
+  this->PointProgram->SetUniformf("gridSize", static_cast<float>(GridSize));
+  this->VertexArray->Bind();
+  glDrawArrays(GL_POINTS, 0, shapes->GetWidth() * shapes->GetHeight());
+  this->VertexArray->Release();
+  screen.Deactivate();
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualGrid::Dilate(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* from, int axis)
+{
+  if (!this->DilateShader.Use(window))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = this->DilateShader.GetProgram();
+  program->SetUniformi("axis", axis);
+  program->SetUniformi("gridSize", GridSize);
+  program->SetUniformi("wishes", from->Activate());
+  this->DilateShader.Draw();
+  from->Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualGrid::DrawPyramid(vtkOpenGLRenderWindow* window)
+{
+  if (!this->PyramidShader.Use(window))
+  {
+    return false;
+  }
+  for (int level = 1; level < GridLevels; ++level)
+  {
+    this->Cells->SetLevelRange(level - 1, level - 1);
+    this->Cells->AttachLayer(0, level);
+    window->GetState()->vtkglViewport(0, 0, GridSize >> level, GridSize >> level);
+    this->PyramidShader.GetProgram()->SetUniformi("cells", this->Cells->Activate());
+    this->PyramidShader.Draw();
+    this->Cells->Deactivate();
+  }
+  this->Cells->SetLevelRange(0, GridLevels - 1);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualGrid::StartTransfer(vtkOpenGLRenderWindow* window)
+{
+  window->GetState()->vtkglReadBuffer(GL_COLOR_ATTACHMENT0);
+  window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
+  size_t offset = 0;
+  for (int level = 0; level < GridLevels; ++level)
+  {
+    const int size = GridSize >> level;
+    this->Cells->AttachLayer(0, level);
+    glReadPixels(0, 0, size, size, GL_RG, GL_FLOAT, reinterpret_cast<void*>(offset));
+    offset += static_cast<size_t>(size) * size * sizeof(vtkVirtualTileTree::Cell);
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+vtkVirtualTileTree::Pyramid vtkVirtualGrid::Read()
+{
+  vtkVirtualTileTree::Pyramid pyramid;
+  for (int level = 0; level < GridLevels; ++level)
+  {
+    const size_t size = static_cast<size_t>(GridSize >> level);
+    pyramid.emplace_back(size * size);
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
+  const auto bytes = static_cast<GLsizeiptr>(CountCells() * sizeof(vtkVirtualTileTree::Cell));
+  const void* data = glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
+  if (data)
+  {
+    const auto* cells = static_cast<const vtkVirtualTileTree::Cell*>(data);
+    for (vtkVirtualTileTree::Level& level : pyramid)
+    {
+      std::memcpy(level.data(), cells, level.size() * sizeof(vtkVirtualTileTree::Cell));
+      cells += level.size();
+    }
+    glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  return pyramid;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkVirtualGrid::GetBytes() const
+{
+  return this->Wishes[0]->GetBytes() + this->Wishes[1]->GetBytes() + this->Cells->GetBytes();
+}
+
+//------------------------------------------------------------------------------
+int vtkVirtualGrid::GetNumberOfBuilds() const
+{
+  return this->PointBuilds + this->DilateShader.GetNumberOfBuilds() +
+    this->PyramidShader.GetNumberOfBuilds();
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualGrid::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (const auto& wishes : this->Wishes)
+  {
+    wishes->ReleaseGraphicsResources(window);
+  }
+  this->Cells->ReleaseGraphicsResources(window);
+  this->DilateShader.ReleaseGraphicsResources(window);
+  this->PyramidShader.ReleaseGraphicsResources(window);
+  this->PointProgram = nullptr;
+  if (this->Framebuffer)
+  {
+    glDeleteFramebuffers(1, &this->Framebuffer);
+    glDeleteBuffers(1, &this->PixelBuffer);
+    this->Framebuffer = this->PixelBuffer = 0;
+    this->VertexArray->ReleaseGraphicsResources();
+    this->VertexArray = nullptr;
+  }
+}
+VTK_ABI_NAMESPACE_END

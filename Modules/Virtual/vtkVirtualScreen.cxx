@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVirtualScreen.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowsOpenGL.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+vtkVirtualScreen::vtkVirtualScreen() = default;
+
+//------------------------------------------------------------------------------
+vtkVirtualScreen::~vtkVirtualScreen() = default;
+
+//------------------------------------------------------------------------------
+bool vtkVirtualScreen::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  const int rgba = vtkShadowTextureArray::RGBA32F;
+  if (!this->Textures[SHAPES]->Allocate(window, rgba, width, height, 1) ||
+    !this->Textures[PREDICTIONS]->Allocate(window, rgba, width, height, 1) ||
+    !this->Textures[SUMS]->Allocate(window, vtkShadowTextureArray::RG32F, width, height, 1))
+  {
+    return false;
+  }
+  if (!this->Framebuffers[0])
+  {
+    glGenFramebuffers(2, this->Framebuffers);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualScreen::Bind(vtkOpenGLRenderWindow* window, unsigned int framebuffer)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  state->vtkglViewport(
+    0, 0, this->Textures[SHAPES]->GetWidth(), this->Textures[SHAPES]->GetHeight());
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualScreen::BeginShapes(vtkOpenGLRenderWindow* window)
+{
+  this->Bind(window, this->Framebuffers[0]);
+  this->Textures[SHAPES]->AttachLayer(0, 0, 0);
+  this->Textures[PREDICTIONS]->AttachLayer(0, 0, 1);
+  unsigned int buffers[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
+  window->GetState()->vtkglDrawBuffers(2, buffers);
+  window->GetState()->vtkglDisable(GL_BLEND);
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualScreen::BeginSums(vtkOpenGLRenderWindow* window)
+{
+  this->Bind(window, this->Framebuffers[1]);
+  this->Textures[SUMS]->AttachLayer(0);
+  window->GetState()->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  window->GetState()->vtkglEnable(GL_BLEND); // one plus one, as the base class set it
+  const float zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, zero);
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualScreen::Activate(vtkShaderProgram* program, TextureName texture)
+{
+  const char* const samplers[] = { "kernelShapes", "predictions", "sums" };
+  if (program->IsUniformUsed(samplers[texture]))
+  {
+    program->SetUniformi(samplers[texture], this->Textures[texture]->Activate());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualScreen::Deactivate()
+{
+  for (const auto& texture : this->Textures)
+  {
+    texture->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkVirtualScreen::GetBytes() const
+{
+  vtkTypeInt64 bytes = 0;
+  for (const auto& texture : this->Textures)
+  {
+    bytes += texture->GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualScreen::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (const auto& texture : this->Textures)
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  if (this->Framebuffers[0])
+  {
+    glDeleteFramebuffers(2, this->Framebuffers);
+    this->Framebuffers[0] = this->Framebuffers[1] = 0;
+  }
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkVirtualScreen
+ * @brief   The textures of the screen's size: kernel shapes, predictions, and sums over tiles.
+ */
+
+#ifndef vtkVirtualScreen_h
+#define vtkVirtualScreen_h
+
+#include "vtkNew.h"            // For members
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkType.h"           // For bytes
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkShadowTextureArray;
+class vtkWindow;
+
+class vtkVirtualScreen
+{
+public:
+  enum TextureName
+  {
+    SHAPES = 0,      // RGBA32F: variance (ss, st, tt) of the kernel in (s, t); StateType
+    PREDICTIONS = 1, // RGBA32F: (s, t) of the receiver, wanted texel sizes along s and t
+    SUMS = 2,        // RG32F: V A and A, in squares of (s, t)
+    NUMBER_OF_TEXTURES = 3
+  };
+
+  /// To which the share of the light in front of the receiver's plane is added, in [0, 1].
+  enum StateType
+  {
+    UNSERVED = 0, // not for this emitter
+    LIT = 2,      // nothing blocks but the plane itself
+    PENUMBRA = 4  // to be filtered
+  };
+
+  vtkVirtualScreen();
+  ~vtkVirtualScreen();
+  vtkVirtualScreen(const vtkVirtualScreen&) = delete;
+  vtkVirtualScreen& operator=(const vtkVirtualScreen&) = delete;
+
+  /// False, with an error, if the textures cannot be had.
+  bool Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+
+  ///@{
+  /**
+   * Binds for drawing: shapes and predictions, or the cleared sums with additive blending. Neither
+   * depth test nor scissor. The caller restores framebuffer and state.
+   */
+  void BeginShapes(vtkOpenGLRenderWindow* window);
+  void BeginSums(vtkOpenGLRenderWindow* window);
+  ///@}
+
+  ///@{
+  /// Binds a texture and sets the sampler of that name, if the program has it; needs Deactivate.
+  void Activate(vtkShaderProgram* program, TextureName texture);
+  void Deactivate();
+  ///@}
+
+  vtkShadowTextureArray* GetTexture(TextureName texture) { return this->Textures[texture]; }
+  vtkTypeInt64 GetBytes() const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Bind(vtkOpenGLRenderWindow* window, unsigned int framebuffer);
+
+  vtkNew<vtkShadowTextureArray> Textures[NUMBER_OF_TEXTURES];
+  unsigned int Framebuffers[2] = { 0, 0 }; // of the shapes, of the sums
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkVirtualScreen.h

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkVirtualSoftShadowPass
+ * @brief   Predicted virtual soft shadow maps: tiles of depth maps as fine as each penumbra needs.
+ *
+ * L. Shen, G. Guennebaud, B. Yang, J. Feng, "Predicted Virtual Soft Shadow Maps with High Quality
+ * Filtering", 2011. Per emitter:
+ *  1. a small depth map of everything, rasterised conservatively: no blocker in it proves a pixel
+ * lit;
+ *  2. kernel shapes: per pixel, the mean linear depth of its blockers, the light's image at that
+ * depth, convolved with the pixel's footprint on the map (antialiasing without samples);
+ *  3. prediction: how many texels that kernel needs, from its size on the screen (a user study),
+ * gathered in a grid of 64 x 64 cells and cut into tiles of at most MapSize texels along an edge;
+ *  4. tiles: each draws the casters that can touch it, and adds what it shows of each kernel, V A and
+ * A. Texels are squares of constant depth, weighted by their exact overlap with the kernel: no bands;
+ *  5. V = V A / A, once.
+ *
+ * Exact, up to texels, for one blocker depth parallel to the light; the blockers of a kernel count as
+ * one plane and only what the emitter's centre sees blocks, as in percentage-closer filtering. Cost:
+ * the texels under the kernels of pixels that are not proved lit, and the tiles that changed.
+ * A disk's kernel is an ellipse; a directional light's likewise.
+ */
+
+#ifndef vtkVirtualSoftShadowPass_h
+#define vtkVirtualSoftShadowPass_h
+
+#include "vtkRenderingSoftShadowsVirtualModule.h" // For export macro
+#include "vtkSoftShadowPass.h"
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <memory> // For the implementation
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKRENDERINGSOFTSHADOWSVIRTUAL_EXPORT vtkVirtualSoftShadowPass : public vtkSoftShadowPass
+{
+public:
+  static vtkVirtualSoftShadowPass* New();
+  vtkTypeMacro(vtkVirtualSoftShadowPass, vtkSoftShadowPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Texels along an edge of the small map that blockers are searched in, in [32, 8192]. Default is
+   * 1024. MapSize is that of the largest tile; its default here is 4096.
+   */
+  vtkSetClampMacro(SearchMapSize, int, 32, 8192);
+  vtkGetMacro(SearchMapSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Cut the map into tiles of predicted resolution. Off: a single map of MapSize. Default is on.
+   */
+  vtkSetMacro(Adaptive, bool);
+  vtkGetMacro(Adaptive, bool);
+  vtkBooleanMacro(Adaptive, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Convolve the light's kernel with the pixel's footprint on the map, so that shadows finer than a
+   * pixel become their mean over the pixel. Off: the visibility of the pixel's centre. Default is on.
+   */
+  vtkSetMacro(Antialiasing, bool);
+  vtkGetMacro(Antialiasing, bool);
+  vtkBooleanMacro(Antialiasing, bool);
+  ///@}
+
+  enum MetricType
+  {
+    DYNAMIC = 0,
+    STATIC = 1,
+    AUTOMATIC = 2
+  };
+  ///@{
+  /**
+   * Which of the two fitted predictions: for shadows that move, for those at rest (fewer texels), or
+   * STATIC while only the camera moves. The default is DYNAMIC, as in the paper; then a picture does
+   * not depend on the frames before it.
+   */
+  vtkSetClampMacro(Metric, int, DYNAMIC, AUTOMATIC);
+  vtkGetMacro(Metric, int);
+  void SetMetricToDynamic() { this->SetMetric(DYNAMIC); }
+  void SetMetricToStatic() { this->SetMetric(STATIC); }
+  void SetMetricToAutomatic() { this->SetMetric(AUTOMATIC); }
+  ///@}
+
+  ///@{
+  /**
+   * What the predicted number of texels along an edge is multiplied by, in [0.125, 8]. Default is 1.
+   */
+  vtkSetClampMacro(Quality, double, 0.125, 8.0);
+  vtkGetMacro(Quality, double);
+  ///@}
+
+  ///@{
+  /**
+   * Blocks along an edge of the blocker search, in [1, 128]; a region of fewer texels is searched
+   * completely. Default is 24.
+   */
+  vtkSetClampMacro(SearchWidth, int, 1, 128);
+  vtkGetMacro(SearchWidth, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most tiles of an emitter, in [1, 4096]; their memory is limited by MapMemory. Beyond, all
+   * tiles become coarser by the same factor, see GetCoarsening. Default is 256.
+   */
+  vtkSetClampMacro(MaximumTiles, int, 1, 4096);
+  vtkGetMacro(MaximumTiles, int);
+  ///@}
+
+  enum DebugViewType
+  {
+    DEBUG_NONE = 0,
+    DEBUG_TILES = 1,
+    DEBUG_RESOLUTION = 2,
+    DEBUG_KERNEL = 3
+  };
+  ///@{
+  /**
+   * Shows, in place of visibilities, a shade per tile; the finest wanted texel size; or the kernel's
+   * half extent. The latter two are fractions f of the map, shown as 1 + log2(f) / 16. Default is
+   * DEBUG_NONE.
+   */
+  vtkSetClampMacro(DebugView, int, DEBUG_NONE, DEBUG_KERNEL);
+  vtkGetMacro(DebugView, int);
+  ///@}
+
+  ///@{
+  /// Of the last frame that drew visibilities, over all emitters.
+  int GetNumberOfTiles() const;
+  vtkTypeInt64 GetTileTexels() const;
+  /// By how much texels are larger than predicted, at worst; 1 if they are not.
+  double GetCoarsening() const;
+  ///@}
+
+  /// A line per emitter (tiles, texels, coarsening) and tile (window in the map, resolution).
+  std::string GetTileReport() const;
+
+protected:
+  vtkVirtualSoftShadowPass();
+  ~vtkVirtualSoftShadowPass() override;
+
+  void AddVisibility(const vtkSoftShadowContext& context) override;
+  int GetEmitterMapSize() const override { return this->SearchMapSize; }
+  bool NeedsConservativeMaps() const override { return true; }
+  bool NeedsPyramid() const override { return true; }
+  /// The kernel shapes prove pixels lit themselves, footprint included; holes that a conservative
+  /// map closes forbid to prove them blocked.
+  int GetProof() const override { return PROVES_NOTHING; }
+  vtkTypeInt64 GetTechniqueBytes() override;
+  vtkTypeInt64 GetTechniqueDrawCalls() override;
+  int GetTechniqueShaderBuilds() override;
+
+  int SearchMapSize = 1024;
+  bool Adaptive = true;
+  bool Antialiasing = true;
+  int Metric = DYNAMIC;
+  double Quality = 1.0;
+  int SearchWidth = 24;
+  int MaximumTiles = 256;
+  int DebugView = DEBUG_NONE;
+
+private:
+  vtkVirtualSoftShadowPass(const vtkVirtualSoftShadowPass&) = delete;
+  void operator=(const vtkVirtualSoftShadowPass&) = delete;
+
+  bool DrawShapes(const vtkSoftShadowContext& context);
+  bool PlanTiles(const vtkSoftShadowContext& context);
+  void DrawTiles(const vtkSoftShadowContext& context);
+  void Resolve(const vtkSoftShadowContext& context);
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

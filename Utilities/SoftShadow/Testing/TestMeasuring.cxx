@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// softshadow compare, reference and benchmark: what they write, and what they refuse.
+
+#include "ToolRun.h"
+
+#include "VisibilityFile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace softshadows;
+
+namespace
+{
+
+const float NaN = std::numeric_limits<float>::quiet_NaN();
+
+// From above, parallel, 16 pixels a unit: a square of 1 x 1 at z = 1 under a light of 0.4 x 0.4 at
+// z = 3, over a ground. The penumbra at each edge is 0.2 wide,
+// around +-0.75.
+const char* const SquareScene = R"({ "version": 1,
+  "image":  {"width": 64, "height": 48},
+  "camera": {"position": [0, 0, 10], "view_up": [0, 1, 0], "parallel_scale": 1.5},
+  "lights": [ {"position": [0, 0, 3], "size": [0.4, 0.4], "cone_angle": 60} ],
+  "objects": [
+    {"source": "plane", "origin": [-9, -9, 0], "point1": [9, -9, 0], "point2": [-9, 9, 0]},
+    {"source": "plane", "origin": [-0.5, -0.5, 1], "point1": [0.5, -0.5, 1],
+     "point2": [-0.5, 0.5, 1]} ] })";
+
+//--------------------------------------------------------------------------------------------------
+class Measuring : public ToolTest
+{
+protected:
+  std::string PathOf(const std::string& name) const { return (this->Folder / name).string(); }
+
+  nlohmann::json ReadJson(const std::string& name) const
+  {
+    return nlohmann::json::parse(this->Read(name));
+  }
+
+  /// 4 x 2 pixels of two lights; the second pixel of the first light is off by the error.
+  void WritePair(float error) const
+  {
+    VisibilityImage image;
+    image.Width = 4;
+    image.Height = 2;
+    image.Visibility = { { 0.0F, 0.5F, 1.0F, 1.0F, NaN, 0.25F, 1.0F, 0.0F },
+      std::vector<float>(8, 1.0F) };
+    image.Depth = std::vector<float>(8, 3.0F);
+    WriteVisibility(this->PathOf("truth.exr"), image);
+    image.Visibility[0][1] += error;
+    WriteVisibility(this->PathOf("ours.exr"), image);
+  }
+};
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(Measuring, CompareWritesNumbersAndPictures)
+{
+  this->WritePair(0.25F);
+  const ToolResult run =
+    this->Run("compare truth.exr ours.exr --diff diff.png --report report.json");
+  EXPECT_EQ(run.ExitCode, 0) << run.Output;
+  EXPECT_NE(run.Output.find("rmse"), std::string::npos);
+  const nlohmann::json report = this->ReadJson("report.json");
+  ASSERT_EQ(report.at("lights").size(), 2U);
+  const nlohmann::json& first = report["lights"][0];
+  EXPECT_EQ(first.at("all").at("pixels"), 7);
+  EXPECT_NEAR(first["all"].at("rmse").get<double>(), std::sqrt(0.0625 / 7.0), 1e-12);
+  EXPECT_EQ(first.at("penumbra").at("pixels"), 2);
+  EXPECT_EQ(first["penumbra"].at("maximum"), 0.25);
+  EXPECT_EQ(report["lights"][1].at("all").at("rmse"), 0.0);
+  EXPECT_TRUE(report["lights"][1]["all"].at("psnr").is_null()) << "equal images";
+  EXPECT_EQ(this->Files(),
+    (std::set<std::string>{ "truth.exr", "ours.exr", "diff.png", "diff-1.png", "report.json" }));
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(Measuring, CompareTakesOneLight)
+{
+  this->WritePair(0.25F);
+  const ToolResult run = this->Run("compare truth.exr ours.exr --light 1 --report report.json");
+  EXPECT_EQ(run.ExitCode, 0) << run.Output;
+  const nlohmann::json report = this->ReadJson("report.json");
+  ASSERT_EQ(report.at("lights").size(), 1U);
+  EXPECT_EQ(report["lights"][0].at("light"), 1);
+  EXPECT_NE(this->Run("compare truth.exr ours.exr --light 2").ExitCode, 0);
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(Measuring, CompareRefusesOtherSizesAndItsOwnInputs)
+{
+  this->WritePair(0.0F);
+  VisibilityImage other;
+  other.Width = 2;
+  other.Height = 2;
+  other.Visibility = { { 1.0F, 1.0F, 1.0F, 1.0F } };
+  WriteVisibility(this->PathOf("other.exr"), other);
+  const ToolResult run = this->Run("compare truth.exr other.exr --report report.json");
+  EXPECT_NE(run.ExitCode, 0);
+  EXPECT_NE(run.Output.find("other.exr has 2 x 2 pixels"), std::string::npos) << run.Output;
+  EXPECT_EQ(this->Files(), (std::set<std::string>{ "truth.exr", "ours.exr", "other.exr" }));
+  EXPECT_NE(this->Run("compare truth.exr ours.exr --report ours.exr").ExitCode, 0);
+}
+
+#ifdef SOFTSHADOWS_HAVE_RAY_TRACING
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(Measuring, ReferenceIsTheClosedForm)
+{
+  this->Write("square.json", SquareScene);
+  const ToolResult run = this->Run("reference square.json -o truth.exr --samples 4000");
+  EXPECT_EQ(run.ExitCode, 0) << run.Output;
+  const VisibilityImage image = ReadVisibility(this->PathOf("truth.exr"));
+  ASSERT_EQ(image.Width, 64);
+  ASSERT_EQ(image.Height, 48);
+  ASSERT_EQ(image.Visibility.size(), 1U);
+  int penumbra = 0;
+  for (int row = 0; row < 48; ++row)
+  {
+    for (int column = 0; column < 64; ++column)
+    {
+      const double x = (column + 0.5 - 32.0) / 16.0;
+      const double y = (24.0 - row - 0.5) / 16.0;
+      if (std::abs(x) < 0.5 && std::abs(y) < 0.5)
+      {
+        continue; // the square itself
+      }
+      // The edge at 0.5 and z = 1, seen from p, stands before the point 3 * 0.5 - 2 p of the light.
+      const auto blocked = [](double p)
+      {
+        const auto share = [](double edge)
+        { return std::min(1.0, std::max(0.0, (edge + 0.2) / 0.4)); };
+        return share(1.5 - 2.0 * p) - share(-1.5 - 2.0 * p);
+      };
+      const double expected = 1.0 - blocked(x) * blocked(y);
+      EXPECT_NEAR(image.Visibility[0][row * 64 + column], expected, 0.02) << x << ", " << y;
+      penumbra += expected > 0.02 && expected < 0.98 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(penumbra, 200);
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(Measuring, BenchmarkReportsGoodAndBrokenScenes)
+{
+  std::filesystem::create_directories(this->Folder / "scenes");
+  this->Write("scenes/square.json", SquareScene);
+  this->Write("scenes/torn.json", "{ \"version\": 1,");
+  const ToolResult run = this->Run(
+    "benchmark --scenes scenes --output out --only square,torn --rounds 2 --reference-samples 256"
+    " --contestant plain --contestant 'sampled samples=4 map_size=256'");
+  EXPECT_EQ(run.ExitCode, 0) << run.Output;
+  EXPECT_NE(run.Output.find("torn.json:"), std::string::npos) << run.Output;
+  const nlohmann::json json = this->ReadJson("out/benchmark.json");
+  const nlohmann::json& scenes = json.at("soft_shadows").at("scenes");
+  ASSERT_EQ(scenes.size(), 2U);
+  EXPECT_EQ(scenes[0].at("name"), "square");
+  const nlohmann::json& sampled = scenes[0].at("contestants")[1];
+  EXPECT_EQ(sampled.at("name"), "sampled map_size=256 samples=4");
+  EXPECT_EQ(sampled.at("milliseconds").at("light").at("frames"), 2);
+  EXPECT_NE(scenes[1].value("failure", ""), "");
+  EXPECT_NE(
+    this->Read("out/benchmark.html").find("sampled map_size=256 samples=4"), std::string::npos);
+  EXPECT_EQ(this->Read("out/benchmark.csv").rfind("scene,contestant,", 0), 0U);
+  const ToolResult unknown = this->Run("benchmark --scenes scenes --output out --only round");
+  EXPECT_NE(unknown.ExitCode, 0);
+  EXPECT_NE(unknown.Output.find("square"), std::string::npos) << "names what there is";
+}
+
+#endif
+
+}
