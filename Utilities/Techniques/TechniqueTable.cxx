@@ -11,6 +11,7 @@ Technique MakeSampledTechnique();
 Technique MakePercentageCloserTechnique();
 Technique MakeCascadedTechnique();
 Technique MakeVirtualTechnique();
+Technique MakeMarchedTechnique();
 
 //--------------------------------------------------------------------------------------------------
 const std::vector<Technique>& GetTechniques()
@@ -20,6 +21,7 @@ const std::vector<Technique>& GetTechniques()
     MakePercentageCloserTechnique(),
     MakeCascadedTechnique(),
     MakeVirtualTechnique(),
+    MakeMarchedTechnique(),
   };
   return techniques;
 }
