@@ -172,7 +172,7 @@ void vtkSoftShadowPass::DrawOpaque(const vtkRenderState* s)
 void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
 {
   Internals& impl = *this->Impl;
-  impl.Timers.BeginStep("casters");
+  impl.Timers.BeginStep("casters", true);
   impl.Casters->Update(s->GetRenderer());
   if (!this->SignatureChanged(s))
   {

@@ -35,12 +35,13 @@ const std::vector<std::pair<std::string, double>>& vtkSoftShadowTimers::Collect(
     this->Milliseconds.clear();
     for (size_t i = 0; i < this->Used; ++i)
     {
-      // A software rasteriser may do a step's work on the CPU before its queries see any.
-      const double milliseconds = std::max<double>(
-        this->Steps[i].Timer->GetElapsedMilliseconds(), this->Steps[i].CpuMilliseconds);
-      const std::string name = this->Steps[i].Name;
+      const Step& step = this->Steps[i];
+      const double milliseconds = step.OnProcessor
+        ? step.ProcessorMilliseconds
+        : static_cast<double>(step.Timer->GetElapsedMilliseconds());
+      const std::string name = step.Name;
       auto entry = std::find_if(this->Milliseconds.begin(), this->Milliseconds.end(),
-        [&name](const std::pair<std::string, double>& step) { return step.first == name; });
+        [&name](const std::pair<std::string, double>& other) { return other.first == name; });
       if (entry == this->Milliseconds.end())
       {
         this->Milliseconds.emplace_back(name, milliseconds);
@@ -72,14 +73,14 @@ void vtkSoftShadowTimers::EndStep()
   {
     Step& step = this->Steps[this->Used - 1];
     step.Timer->Stop();
-    step.CpuMilliseconds =
+    step.ProcessorMilliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - this->StepStart)
         .count();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowTimers::BeginStep(const char* name)
+void vtkSoftShadowTimers::BeginStep(const char* name, bool onProcessor)
 {
   if (!this->Timing)
   {
@@ -93,6 +94,7 @@ void vtkSoftShadowTimers::BeginStep(const char* name)
   }
   Step& step = this->Steps[this->Used++];
   step.Name = name;
+  step.OnProcessor = onProcessor;
   step.Timer->Reset();
   step.Timer->Start();
   this->StepStart = std::chrono::steady_clock::now();

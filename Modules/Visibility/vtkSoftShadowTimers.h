@@ -31,8 +31,8 @@ public:
   vtkSoftShadowTimers& operator=(const vtkSoftShadowTimers&) = delete;
 
   void BeginFrame();
-  /// Ends the step before, if any.
-  void BeginStep(const char* name);
+  /// Ends the step before, if any. Steps on the processor are timed by the clock.
+  void BeginStep(const char* name, bool onProcessor = false);
   void EndFrame();
 
   /// Name and milliseconds of each step of the last frame that has come back; repeated names add up.
@@ -45,7 +45,8 @@ private:
   {
     const char* Name = nullptr;
     std::unique_ptr<vtkOpenGLRenderTimer> Timer;
-    double CpuMilliseconds = 0.0;
+    bool OnProcessor = false;
+    double ProcessorMilliseconds = 0.0;
   };
 
   bool IsReady();
