@@ -52,6 +52,7 @@ void vtkPercentageCloserSoftShadowPass::AddVisibility(const vtkSoftShadowContext
   program->SetUniformi("searchWidth", hasExtent ? this->SearchWidth : 1);
   program->SetUniformi("filterWidth", hasExtent ? this->FilterWidth : 1);
   program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
+  program->SetUniformi("footprint", this->Footprint ? 1 : 0);
   this->DrawFiltered(this->Shader);
   texture->Deactivate();
   context.Receivers->Deactivate();
@@ -76,6 +77,7 @@ void vtkPercentageCloserSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SearchWidth: " << this->SearchWidth << "\n";
   os << indent << "FilterWidth: " << this->FilterWidth << "\n";
+  os << indent << "Footprint: " << (this->Footprint ? "on" : "off") << "\n";
   os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
 }
 VTK_ABI_NAMESPACE_END

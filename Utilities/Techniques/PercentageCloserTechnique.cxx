@@ -21,6 +21,8 @@ Technique MakePercentageCloserTechnique()
     pass, FilterWidth, "filter_width", "taps along an edge of the filter"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
+  technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, Footprint, "footprint",
+    "search only where rays to the light pass; off: as in the paper"));
   return technique;
 }
 

@@ -71,12 +71,15 @@ float planeDepth(MapPoint point, vec2 st)
   return point.std.z + dot(point.gradient, st - point.std.xy);
 }
 
-// The depth that the texel of a tap must lie in front of to block the receiver: in front of the
-// receiver's plane, and of the receiver itself, since no ray to the light leads away from it.
-float receiverDepth(MapPoint point, vec2 st)
+// Whether a texel of that depth, which a tap at st reads, can block the receiver: it lies on the
+// camera's side of the receiver's plane, and nearer to the light, since no ray to the light leads away
+// from it. Where the centre is behind the plane, the camera's side is the far one.
+bool isBlocker(MapPoint point, vec2 st, float depth)
 {
   vec2 center = (floor(st * depthMapSize) + 0.5) / depthMapSize;
-  return min(planeDepth(point, center) - point.bias, point.std.z);
+  float plane = planeDepth(point, center);
+  bool inFront = point.facesCenter ? depth < plane - point.bias : depth > plane + point.bias;
+  return inFront && depth < point.std.z;
 }
 
 // An empty texel: nothing blocks there, however far behind the map's far plane the receiver is.
@@ -92,7 +95,7 @@ float mapDepth(vec2 st, float layer)
 
 bool isBlocked(MapPoint point, vec2 st, float layer)
 {
-  return mapDepth(st, layer) < receiverDepth(point, st);
+  return isBlocker(point, st, mapDepth(st, layer));
 }
 
 // Whether the point of the emitter at window coordinates e is on the camera's side of the receiver's

@@ -68,8 +68,14 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
 // of the near plane, nor, after the first look, in front of the nearest depth that was met.
 float proveVisibility(MapPoint point, vec2 kernelScale, float layer)
 {
-  // A plane that turns its back on some of the light is blocked there by itself.
-  float lit = point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0 ? 1.0 : -1.0;
+  // What lies behind the receiver's plane is blocked by the surface itself: all of the light, some of
+  // it, or none. The search below is for planes that face the centre.
+  bool oneSide = dot(abs(point.gradient), kernelScale) < 1.0;
+  if (!point.facesCenter)
+  {
+    return oneSide ? 0.0 : -1.0;
+  }
+  float lit = oneSide ? 1.0 : -1.0;
   vec2 widest = kernelScale * max(point.std.z, 0.0);
   DepthRange range = searchPyramid(point, widest, layer);
   if (!range.anyBlocker)

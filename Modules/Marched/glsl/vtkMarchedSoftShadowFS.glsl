@@ -35,7 +35,7 @@ float marchRay(MapPoint point, vec2 e, float jitter, float reach)
     float front = point.std.z - distance - depth;
     float next = range * max(1.0 - (float(i) + jitter + 1.0) / float(stepCount), 0.0);
     if (front >= 0.0 && front <= thickness * max(before - distance, distance - next * next) &&
-      depth < receiverDepth(point, st))
+      isBlocker(point, st, depth))
     {
       return 1.0;
     }

@@ -14,6 +14,14 @@ uniform float mapLayer;
 uniform int searchWidth; // taps along an edge
 uniform int filterWidth;
 uniform float weight;
+uniform int footprint; // 1: the search leaves out what no ray from the receiver to the light meets
+
+// Whether a blocker of that depth, so far from the receiver in the map, lies in the light's image there.
+bool reaches(MapPoint point, vec2 offset, float depth)
+{
+  vec2 image = kernelScale * (point.std.z - depth) + 1.0 / depthMapSize;
+  return all(lessThanEqual(abs(offset), image));
+}
 
 // The mean linear depth of the taps that block, as a map depth; negative if none does.
 float searchBlockers(MapPoint point, vec2 halfWidth)
@@ -27,7 +35,7 @@ float searchBlockers(MapPoint point, vec2 halfWidth)
       vec2 tap = vec2(tapCoordinate(x, searchWidth), tapCoordinate(y, searchWidth));
       vec2 st = point.std.xy + tap * halfWidth;
       float depth = mapDepth(st, mapLayer);
-      if (depth < receiverDepth(point, st))
+      if (isBlocker(point, st, depth) && (footprint == 0 || reaches(point, tap * halfWidth, depth)))
       {
         float tapShare = tapWeight(tap);
         sum += tapShare * linearDepth(depth);

@@ -75,7 +75,7 @@ vec2 sumBlockers(MapPoint point, vec2 low, vec2 high, ivec2 stride)
       vec2 block = vec2(x, y);
       vec2 st = (min(block + vec2(stride / 2), depthMapSize - 1.0) + 0.5) / depthMapSize;
       float depth = mapDepth(st, mapLayer);
-      if (depth < receiverDepth(point, st))
+      if (isBlocker(point, st, depth))
       {
         vec2 part = overlap(low, high, block, block + vec2(stride));
         sums += part.x * part.y * vec2(linearDepth(depth), 1.0);

@@ -32,7 +32,7 @@ void main()
   {
     MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
     visibility = proveVisibility(point, kernelScale, mapLayer);
-    if (visibility == 0.0 && proof == 1)
+    if (visibility == 0.0 && proof == 1 && point.facesCenter)
     {
       visibility = -1.0;
     }
