@@ -13,8 +13,8 @@ Technique MakeMarchedTechnique()
 {
   vtkNew<vtkMarchedSoftShadowPass> owner;
   vtkMarchedSoftShadowPass* pass = owner;
-  Technique technique = MakeTechnique(
-    "marched", "rays to points of the light, marched through one depth map", pass);
+  Technique technique =
+    MakeTechnique("marched", "rays to points of the light, marched through one depth map", pass);
   technique.Options.push_back(
     SOFTSHADOWS_INTEGER_OPTION(pass, Rays, "rays", "rays to points of the light"));
   technique.Options.push_back(
