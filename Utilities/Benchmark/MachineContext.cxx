@@ -8,6 +8,7 @@
 #include <vtksys/SystemInformation.hxx>
 
 #include <ctime>   // For the date
+#include <fstream> // For the processor
 #include <sstream> // For lines
 #include <thread>  // For the number of processors
 
@@ -38,6 +39,23 @@ std::string DescribeOpenGL()
 }
 
 //--------------------------------------------------------------------------------------------------
+// Linux knows processors by name that the library does not.
+std::string DescribeProcessor(vtksys::SystemInformation& system)
+{
+  std::ifstream file("/proc/cpuinfo");
+  std::string line;
+  while (std::getline(file, line))
+  {
+    const size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos)
+    {
+      return line.substr(colon + 2);
+    }
+  }
+  return system.GetExtendedProcessorName();
+}
+
+//--------------------------------------------------------------------------------------------------
 std::string Now()
 {
   const std::time_t now = std::time(nullptr);
@@ -57,7 +75,7 @@ BenchmarkContext DescribeMachine(const std::string& version)
   BenchmarkContext context;
   context.Date = Now();
   context.Host = system.GetHostname();
-  context.Processor = system.GetExtendedProcessorName();
+  context.Processor = DescribeProcessor(system);
   context.Processors = static_cast<int>(std::thread::hardware_concurrency());
   context.Renderer = DescribeOpenGL();
   context.VtkVersion = vtkVersion::GetVTKVersion();

@@ -10,6 +10,9 @@
 #include "BenchmarkReport.h"
 #include "HtmlReport.h"
 #include "MachineContext.h"
+#include "MarkdownReport.h"
+#include "PaperTables.h"
+#include "PngData.h"
 #include "Technique.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -18,7 +21,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #ifdef _WIN32
@@ -47,6 +52,7 @@ struct BenchmarkOptions
   double Seconds = 0.0;     // 0: by Quick
   int ReferenceSamples = 0; // 0: by Quick
   std::string MeshFolder;
+  std::string Paper;
 };
 
 //--------------------------------------------------------------------------------------------------
@@ -166,6 +172,39 @@ void PrintPlan(const BenchmarkOptions& options, const std::vector<BenchmarkScene
 }
 
 //--------------------------------------------------------------------------------------------------
+void WriteDocuments(const BenchmarkOptions& options, const BenchmarkResults& results)
+{
+  ShowLine("Writing the page", false);
+  WriteFile(options.Output + "/benchmark.html", [&](std::ostream& os) { WriteHtml(os, results); });
+  std::map<std::string, ColorImage> plots;
+  WriteFile(options.Output + "/benchmark.md",
+    [&](std::ostream& os) { plots = WriteMarkdown(os, results, "Images"); });
+  std::filesystem::create_directories(options.Output + "/Images");
+  for (const auto& plot : plots)
+  {
+    WriteFile(options.Output + "/Images/" + plot.first,
+      [&](std::ostream& os) { os << EncodePng(plot.second); });
+  }
+  ShowLine("Written: benchmark.json, .csv, .html and .md in " + options.Output, true);
+}
+
+//--------------------------------------------------------------------------------------------------
+void RunPaper(const BenchmarkOptions& options, const std::vector<BenchmarkScene>& scenes,
+  const BenchmarkRunner& runner)
+{
+  std::ostringstream text;
+  for (const PaperTable& table : GetPaperTables(options.Paper))
+  {
+    std::ostringstream one;
+    RunPaperTable(one, table, scenes, runner);
+    std::cout << one.str() << std::flush;
+    text << one.str();
+  }
+  WriteFile(options.Output + "/paper-" + options.Paper + ".txt",
+    [&](std::ostream& os) { os << text.str(); });
+}
+
+//--------------------------------------------------------------------------------------------------
 void RunBenchmark(const BenchmarkOptions& options)
 {
   if (!options.MeshFolder.empty())
@@ -195,15 +234,18 @@ void RunBenchmark(const BenchmarkOptions& options)
         FindTechnique(technique), OptionTexts(passOptions.begin(), passOptions.end()));
     });
   runner.SetProgress(ShowLine);
+  if (!options.Paper.empty())
+  {
+    RunPaper(options, scenes, runner);
+    return;
+  }
   for (const BenchmarkScene& scene : scenes)
   {
     const bool few = options.Quick || scene.Grows;
     results.Scenes.push_back(runner.Run(scene, GetChoices(options, few)));
     WriteNumbers(options, results);
   }
-  ShowLine("Writing the page", false);
-  WriteFile(options.Output + "/benchmark.html", [&](std::ostream& os) { WriteHtml(os, results); });
-  ShowLine("Written: benchmark.json, benchmark.csv, benchmark.html in " + options.Output, true);
+  WriteDocuments(options, results);
 }
 
 }
@@ -214,7 +256,8 @@ void AddBenchmarkCommand(CLI::App& app)
   auto options = std::make_shared<BenchmarkOptions>();
   CLI::App* command = app.add_subcommand("benchmark",
     "Measure speed and error of every technique in every scene of a folder, against ray tracing. "
-    "Writes benchmark.json (Google Benchmark's form), benchmark.csv and benchmark.html.");
+    "Writes benchmark.json (Google Benchmark's form), benchmark.csv, benchmark.html and "
+    "benchmark.md.");
   const auto addList =
     [command](const std::string& name, std::vector<std::string>& values, const std::string& text)
   { return command->add_option(name, values, text); };
@@ -244,6 +287,9 @@ void AddBenchmarkCommand(CLI::App& app)
     ->add_option("--reference-samples", options->ReferenceSamples,
       "Rays per pixel and light of the reference, rounded up to a square")
     ->check(CLI::Range(1, 1 << 20));
+  command->add_option("--paper", options->Paper,
+    "Run the tables of a paper in place of the plan, and print published and measured figures: "
+    "pcss, sssm, cascaded, sbfs or pvssm");
   command->add_option("--write-models", options->MeshFolder,
     "Write the generated meshes that scenes name to a folder, and end");
   command->callback([options] { RunBenchmark(*options); });
