@@ -21,7 +21,7 @@ bool vtkVirtualScreen::Allocate(vtkOpenGLRenderWindow* window, int width, int he
   const int rgba = vtkShadowTextureArray::RGBA32F;
   if (!this->Textures[SHAPES]->Allocate(window, rgba, width, height, 1) ||
     !this->Textures[PREDICTIONS]->Allocate(window, rgba, width, height, 1) ||
-    !this->Textures[SUMS]->Allocate(window, vtkShadowTextureArray::RG32F, width, height, 1))
+    !this->Textures[SUMS]->Allocate(window, rgba, width, height, 1))
   {
     return false;
   }

@@ -25,7 +25,7 @@ public:
   {
     SHAPES = 0,      // RGBA32F: variance (ss, st, tt) of the kernel in (s, t); StateType
     PREDICTIONS = 1, // RGBA32F: (s, t) of the receiver, wanted texel sizes along s and t
-    SUMS = 2,        // RG32F: V A and A, in squares of (s, t)
+    SUMS = 2,        // RGBA32F: V A, A, and the area under tiles, in squares of (s, t)
     NUMBER_OF_TEXTURES = 3
   };
 

@@ -23,6 +23,7 @@
 #include "vtkVirtualTileMaps.h"
 #include "vtkVirtualTileTree.h"
 
+#include "vtkVirtualFootprintText.h"
 #include "vtkVirtualResolveFS.h"
 #include "vtkVirtualShapeFS.h"
 #include "vtkVirtualTileFS.h"
@@ -39,12 +40,14 @@ namespace
 {
 using Screen = vtkVirtualScreen;
 
-// A technique's text with the kernel's in place.
-std::string WithKernel(const char* text)
+// A step's text with what several steps share in place.
+std::string WithShared(const char* text)
 {
   std::string composed = text;
-  const std::string mark = "//VirtualSoftShadow::Kernel\n";
-  composed.replace(composed.find(mark), mark.size(), vtkVirtualKernel::GetShaderText());
+  const std::string kernel = "//VirtualSoftShadow::Kernel\n";
+  composed.replace(composed.find(kernel), kernel.size(), vtkVirtualKernel::GetShaderText());
+  const std::string footprint = "//VirtualSoftShadow::Footprint\n";
+  composed.replace(composed.find(footprint), footprint.size(), vtkVirtualFootprintText);
   return composed;
 }
 
@@ -98,9 +101,10 @@ public:
   std::map<std::pair<int, int>, EmitterState> Emitters; // by light and part
   vtkVirtualScreen Screen;
   vtkVirtualGrid Grid;
+  vtkVirtualTileTree::Pyramid Wishes; // of the emitter at hand
 
-  const std::string ShapeText = WithKernel(vtkVirtualShapeFS);
-  const std::string TileText = WithKernel(vtkVirtualTileFS);
+  const std::string ShapeText = WithShared(vtkVirtualShapeFS);
+  const std::string TileText = WithShared(vtkVirtualTileFS);
   vtkShadowShader ShapeShader{ ShapeText.c_str() };
   vtkShadowShader TileShader{ TileText.c_str() };
   vtkShadowShader ResolveShader{ vtkVirtualResolveFS };
@@ -170,16 +174,12 @@ void vtkVirtualSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context
       return;
     }
     this->BeginStep("tile planning");
-    if (!this->PlanTiles(context))
+    if (!this->PredictTiles(context))
     {
       return;
     }
     this->BeginStep("tile maps");
-    const vtkVirtualTileMaps::Work work = emitter.Maps.Update(context.Renderer, context.Casters,
-      Internals::GetView(context), emitter.Tree.GetTiles(), vtkVirtualTileTree::GridSize);
-    impl.DrawCalls += work.DrawCalls;
-    this->ChangeStatistics().MapsBaked += work.Maps;
-    this->ChangeStatistics().TexelsDrawn += work.Texels;
+    this->BakeTiles(context);
     this->BeginStep("filtering");
     this->DrawTiles(context);
   }
@@ -229,25 +229,57 @@ bool vtkVirtualSoftShadowPass::DrawShapes(const vtkSoftShadowContext& context)
 }
 
 //------------------------------------------------------------------------------
-bool vtkVirtualSoftShadowPass::PlanTiles(const vtkSoftShadowContext& context)
+bool vtkVirtualSoftShadowPass::PredictTiles(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  vtkVirtualTileTree& tree = impl.Current->Tree;
-  vtkVirtualTileTree::Limits limits;
-  limits.LargestTile = this->MapSize;
-  limits.MostTexels = this->MapMemory * (1048576.0 / 4.0);
-  limits.MostTiles = this->MaximumTiles;
   if (!this->Adaptive)
   {
-    tree.BuildSingle(limits);
     return true;
   }
   if (!impl.Grid.Draw(context.Window, impl.Screen))
   {
     return false;
   }
-  tree.Build(impl.Grid.Read(), limits);
+  impl.Wishes = impl.Grid.Read();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualSoftShadowPass::PlanTiles(double mostTexels)
+{
+  Internals& impl = *this->Impl;
+  vtkVirtualTileTree::Limits limits;
+  limits.LargestTile = this->MapSize;
+  limits.MostTexels = mostTexels;
+  limits.MostTiles = this->MaximumTiles;
+  if (this->Adaptive)
+  {
+    impl.Current->Tree.Build(impl.Wishes, limits);
+  }
+  else
+  {
+    impl.Current->Tree.BuildUniform(1 << this->FixedLevels, limits);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualSoftShadowPass::BakeTiles(const vtkSoftShadowContext& context)
+{
+  Internals& impl = *this->Impl;
+  EmitterState& emitter = *impl.Current;
+  double mostTexels = this->MapMemory * (1048576.0 / 4.0);
+  vtkVirtualTileMaps::Work work;
+  do
+  {
+    this->PlanTiles(mostTexels);
+    work = emitter.Maps.Update(context.Renderer, context.Casters, Internals::GetView(context),
+      emitter.Tree.GetTiles(), vtkVirtualTileTree::GridSize);
+    impl.DrawCalls += work.DrawCalls;
+    this->ChangeStatistics().MapsBaked += work.Maps;
+    this->ChangeStatistics().TexelsDrawn += work.Texels;
+    // A driver may have less than was allowed: everything becomes coarser.
+    mostTexels = 0.25 * emitter.Tree.GetTexels();
+  } while (work.Failed && mostTexels > 65536.0);
 }
 
 //------------------------------------------------------------------------------
@@ -265,6 +297,8 @@ void vtkVirtualSoftShadowPass::DrawTiles(const vtkSoftShadowContext& context)
   impl.Screen.Activate(program, Screen::PREDICTIONS);
   program->SetUniformi("emitterDisk", Internals::IsDisk(context));
   program->SetUniformi("debugView", this->DebugView);
+  program->SetUniformi("antialiasing", this->Antialiasing ? 1 : 0);
+  impl.SetCamera(program, context);
   const float cell = 1.0f / vtkVirtualTileTree::GridSize;
   int number = 0;
   for (const vtkVirtualTileMaps::Entry& entry : impl.Current->Maps.GetEntries())
@@ -410,6 +444,7 @@ void vtkVirtualSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   const char* const views[] = { "none", "tiles", "resolution", "kernel" };
   os << indent << "SearchMapSize: " << this->SearchMapSize << "\n";
   os << indent << "Adaptive: " << (this->Adaptive ? "on" : "off") << "\n";
+  os << indent << "FixedLevels: " << this->FixedLevels << "\n";
   os << indent << "Antialiasing: " << (this->Antialiasing ? "on" : "off") << "\n";
   os << indent << "Metric: " << metrics[this->Metric] << "\n";
   os << indent << "Quality: " << this->Quality << "\n";

@@ -62,8 +62,18 @@ public:
 
   ///@{
   /**
+   * Cuts the single map of a pass that is not adaptive into 2^FixedLevels tiles along an edge, in
+   * [0, 6]; the result is the same. Default is 0.
+   */
+  vtkSetClampMacro(FixedLevels, int, 0, 6);
+  vtkGetMacro(FixedLevels, int);
+  ///@}
+
+  ///@{
+  /**
    * Convolve the light's kernel with the pixel's footprint on the map, so that shadows finer than a
-   * pixel become their mean over the pixel. Off: the visibility of the pixel's centre. Default is on.
+   * pixel become their mean over the pixel. Off: the visibility of the pixel's centre, as that of
+   * other techniques and of the ray-traced reference. Default is off.
    */
   vtkSetMacro(Antialiasing, bool);
   vtkGetMacro(Antialiasing, bool);
@@ -160,7 +170,8 @@ protected:
 
   int SearchMapSize = 1024;
   bool Adaptive = true;
-  bool Antialiasing = true;
+  int FixedLevels = 0;
+  bool Antialiasing = false;
   int Metric = DYNAMIC;
   double Quality = 1.0;
   int SearchWidth = 24;
@@ -172,7 +183,9 @@ private:
   void operator=(const vtkVirtualSoftShadowPass&) = delete;
 
   bool DrawShapes(const vtkSoftShadowContext& context);
-  bool PlanTiles(const vtkSoftShadowContext& context);
+  bool PredictTiles(const vtkSoftShadowContext& context);
+  void PlanTiles(double mostTexels);
+  void BakeTiles(const vtkSoftShadowContext& context);
   void DrawTiles(const vtkSoftShadowContext& context);
   void Resolve(const vtkSoftShadowContext& context);
 

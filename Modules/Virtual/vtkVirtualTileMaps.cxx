@@ -131,6 +131,7 @@ vtkVirtualTileMaps::Work vtkVirtualTileMaps::Update(vtkRenderer* renderer,
     if (baked < 0)
     {
       // No such texture: tiles without a map are left out.
+      work.Failed = true;
       slots.Views.clear();
       this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
                             [&slots](const Entry& entry) { return entry.Maps == slots.Maps; }),

@@ -50,6 +50,8 @@ public:
     int Maps = 0;
     vtkTypeInt64 Texels = 0;
     vtkTypeInt64 DrawCalls = 0;
+    /// The driver had no texture for some tiles, which are left out.
+    bool Failed = false;
   };
 
   /// The part of the whole view that a tile shows; its grid is columns x rows cells.

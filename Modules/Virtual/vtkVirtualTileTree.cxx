@@ -198,12 +198,17 @@ void vtkVirtualTileTree::Build(const Pyramid& pyramid, const Limits& limits)
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualTileTree::BuildSingle(const Limits& limits)
+void vtkVirtualTileTree::BuildUniform(int count, const Limits& limits)
 {
   const auto most = static_cast<int>(std::sqrt(limits.MostTexels));
-  const int resolution = std::max(std::min(limits.LargestTile, most), LeastResolution);
-  this->Tiles.assign(1, { 0, 0, GridSize, GridSize, resolution });
-  this->Texels = static_cast<double>(resolution) * resolution;
-  this->Coarsening = static_cast<double>(limits.LargestTile) / resolution;
+  const int resolution = std::max(std::min(limits.LargestTile, most) / count, LeastResolution);
+  const int cells = GridSize / count;
+  this->Tiles.clear();
+  for (int i = 0; i < count * count; ++i)
+  {
+    this->Tiles.push_back({ i % count * cells, i / count * cells, cells, cells, resolution });
+  }
+  this->Texels = static_cast<double>(resolution) * resolution * count * count;
+  this->Coarsening = static_cast<double>(limits.LargestTile) / (resolution * count);
 }
 VTK_ABI_NAMESPACE_END

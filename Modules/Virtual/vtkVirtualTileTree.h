@@ -82,8 +82,11 @@ public:
    */
   void Build(const Pyramid& pyramid, const Limits& limits);
 
-  /// One tile of the largest size over everything, within the limit of texels.
-  void BuildSingle(const Limits& limits);
+  /**
+   * One map of the largest size over everything, within the limit of texels, cut into count x count
+   * tiles; count is a power of two up to GridSize.
+   */
+  void BuildUniform(int count, const Limits& limits);
 
   const std::vector<vtkVirtualTile>& GetTiles() const { return this->Tiles; }
   double GetTexels() const { return this->Texels; }

@@ -17,6 +17,8 @@ Technique MakeVirtualTechnique()
     "pvssm", "predicted virtual soft shadow maps: tiles as fine as each penumbra needs", pass);
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(
     pass, Adaptive, "adaptive", "tiles of predicted resolution, or a single map of map_size"));
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, FixedLevels, "fixed_levels", "halvings of the single map into tiles"));
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, Antialiasing, "antialiasing",
     "the mean over a pixel's footprint, or what its centre sees"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, Metric, "metric",

@@ -5,7 +5,7 @@
 
 uniform sampler2DArray kernelShapes; // (variance, state)
 uniform sampler2DArray predictions;  // (s, t, texel sizes)
-uniform sampler2DArray sums;         // (V A, A)
+uniform sampler2DArray sums;         // (V A, A, area under tiles)
 uniform int emitterDisk;
 uniform float weight;
 uniform int lit; // 1: only pixels that are lit, 0: only the others
@@ -42,11 +42,11 @@ void main()
   float visibility = inFront;
   if (lit == 0)
   {
-    vec2 total = texelFetch(sums, pixel, 0).xy;
+    vec3 total = texelFetch(sums, pixel, 0).xyz;
     vec4 prediction = texelFetch(predictions, pixel, 0);
     if (total.y > 0.0)
     {
-      float missing = areaBeyondMap(shape.xyz, prediction.xy, total.y);
+      float missing = areaBeyondMap(shape.xyz, prediction.xy, total.z);
       visibility = min((total.x + missing) / (total.y + missing), inFront);
     }
     if (debugView == VIRTUAL_DEBUG_RESOLUTION)

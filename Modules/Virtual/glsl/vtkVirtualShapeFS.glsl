@@ -12,48 +12,20 @@
 //SoftShadows::Include vtkShadowBlocker
 //VirtualSoftShadow::Kernel
 
-uniform mat4 viewToMap;
 uniform vec2 kernelScale;
 uniform float mapLayer;
 uniform int searchWidth;     // blocks along an edge of the search
 uniform int emitterDisk;
 uniform int hasPyramid;      // depthPyramid shows the emitter's own map
 uniform int antialiasing;
-uniform int cameraParallel;
-uniform vec2 halfPixel;      // view units per half pixel, at depth 1 if perspective
 uniform vec4 texelPolynomial;
 uniform float quality;
 uniform float largestKernel; // pixels
 
-// How the receiver's pixel lies on the map: half axes in (s, t).
-struct Footprint
-{
-  vec2 u;
-  vec2 v;
-};
+//VirtualSoftShadow::Footprint
 
-// No pixel counts as seen flatter than this: its footprint would have no end.
-const float flattestView = 0.01;
-
-// Moves along the screen's axis on the receiver's plane, then through the map's projection.
-vec2 warpAxis(vec3 axisVs, vec3 sightVs, Receiver receiver, MapPoint point)
-{
-  float facing = dot(receiver.normalVs, sightVs);
-  float least = flattestView * length(sightVs);
-  facing = abs(facing) < least ? (facing < 0.0 ? -least : least) : facing;
-  vec3 along = axisVs - sightVs * (dot(receiver.normalVs, axisVs) / facing);
-  vec4 moved = viewToMap * vec4(along, 0.0);
-  float w = (viewToMap * vec4(receiver.positionVs, 1.0)).w;
-  return (moved.xy - point.std.xy * moved.w) / w;
-}
-
-Footprint footprintOf(Receiver receiver, MapPoint point)
-{
-  float depth = cameraParallel == 1 ? 1.0 : abs(receiver.positionVs.z);
-  vec3 sight = cameraParallel == 1 ? vec3(0.0, 0.0, -1.0) : receiver.positionVs;
-  return Footprint(warpAxis(vec3(halfPixel.x * depth, 0.0, 0.0), sight, receiver, point),
-    warpAxis(vec3(0.0, halfPixel.y * depth, 0.0), sight, receiver, point));
-}
+// No surface asks for finer texels than one that the light meets at this cosine.
+const float leastFacing = 0.25;
 
 // Length of [low, high] within [from, to].
 vec2 overlap(vec2 low, vec2 high, vec2 from, vec2 to)
@@ -63,7 +35,7 @@ vec2 overlap(vec2 low, vec2 high, vec2 from, vec2 to)
 
 // Sum of linear depths and of weights over the blockers in a rectangle of texels. Blocks of stride
 // texels stand for one another; their overlap with the rectangle is their weight.
-vec2 sumBlockers(MapPoint point, vec2 low, vec2 high, ivec2 stride)
+vec2 sumBlockers(MapPoint point, vec2 low, vec2 high, ivec2 stride, vec2 margin)
 {
   ivec2 last = min(ivec2(floor(high)), ivec2(depthMapSize) - 1);
   ivec2 first = max(ivec2(floor(low)), ivec2(0)) / stride * stride;
@@ -78,7 +50,8 @@ vec2 sumBlockers(MapPoint point, vec2 low, vec2 high, ivec2 stride)
       if (isBlocker(point, st, depth))
       {
         vec2 part = overlap(low, high, block, block + vec2(stride));
-        sums += part.x * part.y * vec2(linearDepth(depth), 1.0);
+        float share = shareOfBlocker(point, kernelScale, depth, st, margin);
+        sums += part.x * part.y * share * vec2(linearDepth(depth), 1.0);
       }
     }
   }
@@ -86,18 +59,18 @@ vec2 sumBlockers(MapPoint point, vec2 low, vec2 high, ivec2 stride)
 }
 
 // The map depth of the blockers' mean linear depth; negative if nothing blocks.
-float meanBlocker(MapPoint point, vec2 halfWidth)
+float meanBlocker(MapPoint point, vec2 halfWidth, vec2 pixelReach)
 {
   vec2 reach = max(halfWidth * depthMapSize, vec2(0.05)); // texels; a point still has a weight
   vec2 center = point.std.xy * depthMapSize;
   vec2 low = center - reach;
   vec2 high = center + reach;
   ivec2 stride = max(ivec2(ceil(2.0 * reach / float(searchWidth))), ivec2(1));
-  vec2 sums = sumBlockers(point, low, high, stride);
+  vec2 sums = sumBlockers(point, low, high, stride, pixelReach);
   if (sums.y <= 0.0 && (stride.x > 1 || stride.y > 1))
   {
     // Something thin may stand between the blocks' samples.
-    sums = sumBlockers(point, low, high, ivec2(1));
+    sums = sumBlockers(point, low, high, ivec2(1), pixelReach);
   }
   return sums.y > 0.0 ? mapDepthOfLinear(sums.x / sums.y) : -1.0;
 }
@@ -125,6 +98,18 @@ float texelsOf(float pixels)
 {
   float x = log2(clamp(pixels, 1.0, largestKernel));
   return max(dot(texelPolynomial, vec4(1.0, x, x * x, x * x * x)), 1.0);
+}
+
+// How far half a pixel, turned face-on to the light, reaches on the map.
+vec2 facingFootprint(Receiver receiver, MapPoint point)
+{
+  float w = (viewToMap * vec4(receiver.positionVs, 1.0)).w;
+  mat3 linear = mat3(viewToMap);
+  vec3 row = vec3(viewToMap[0].w, viewToMap[1].w, viewToMap[2].w);
+  vec3 alongS = (vec3(linear[0].x, linear[1].x, linear[2].x) - point.std.x * row) / w;
+  vec3 alongT = (vec3(linear[0].y, linear[1].y, linear[2].y) - point.std.y * row) / w;
+  float depth = cameraParallel == 1 ? 1.0 : abs(receiver.positionVs.z);
+  return min(halfPixel.x, halfPixel.y) * depth * vec2(length(alongS), length(alongT));
 }
 
 // Equations 4 and 5.
@@ -180,10 +165,10 @@ void main()
   float inFront = shareInFront(point);
   Footprint footprint = footprintOf(receiver, point);
   vec3 footprintVariance = varianceOf(footprint.u, footprint.v);
-  vec2 pixelReach = antialiasing == 1 ? sqrt(2.0 * footprintVariance.xz) : vec2(0.0);
+  vec2 pixelReach = antialiasing == 1 ? reachOf(footprint) : vec2(0.0);
   vec2 halfWidth;
   bool mayBlock = inFront > 0.0 && searchWidthOf(point, pixelReach, halfWidth);
-  float blocker = mayBlock ? meanBlocker(point, halfWidth) : -1.0;
+  float blocker = mayBlock ? meanBlocker(point, halfWidth, pixelReach) : -1.0;
   if (blocker < 0.0)
   {
     gl_FragData[0].w = VIRTUAL_LIT + inFront;
@@ -194,5 +179,7 @@ void main()
   vec3 full = convolve(light, disk, footprintVariance);
   gl_FragData[0] =
     vec4(antialiasing == 1 ? full : convolve(light, disk, vec3(0.0)), VIRTUAL_PENUMBRA + inFront);
-  gl_FragData[1] = vec4(point.std.xy, predictTexelSize(full, footprint));
+  // A surface that the light grazes has a narrow footprint on the map, and little light to lose.
+  vec2 finest = 2.0 * leastFacing / quality * facingFootprint(receiver, point);
+  gl_FragData[1] = vec4(point.std.xy, max(predictTexelSize(full, footprint), finest));
 }
