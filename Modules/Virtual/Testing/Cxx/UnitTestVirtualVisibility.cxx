@@ -196,7 +196,7 @@ TEST(VirtualVisibility, ThinBarsKeepTheirShadow)
   {
     const double x = -0.42 + i * (0.12 + texel / 7.0);
     const Quad bar{ { { x, -0.45, 1.0 } }, { { 0.5 * texel, 0.0, 0.0 } }, { { 0.0, 0.9, 0.0 } } };
-    bars.push_back(MakeQuadActor(bar));
+    bars.push_back(MakeQuadActor({ bar }));
     scene.Renderer->AddActor(bars.back());
   }
   scene.Renderer->RemoveActor(scene.BlockerActors[0]);
