@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Techniques.h"
 
+#include "vtkMarchedSoftShadowPass.h"
 #include "vtkPercentageCloserSoftShadowPass.h"
 #include "vtkSampledSoftShadowPass.h"
 
@@ -48,6 +49,23 @@ vtkSmartPointer<vtkSoftShadowPass> MakePercentageCloser(Effort effort, Weights w
   return pass;
 }
 
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkSoftShadowPass> MakeMarched(Effort effort, Weights weights)
+{
+  auto pass = vtkSmartPointer<vtkMarchedSoftShadowPass>::New();
+  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
+  pass->SetRays(effort == Effort::Accurate ? 64 : 16);
+  if (weights == Weights::Gaussian)
+  {
+    pass->SetWeightsToGaussian();
+  }
+  else
+  {
+    pass->SetWeightsToMean();
+  }
+  return pass;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -56,6 +74,7 @@ const std::vector<Technique>& AllTechniques()
   static const std::vector<Technique> techniques = {
     { "Sampled", MakeSampled, 0.01, 0.03, 1.0 / 16.0 },
     { "PercentageCloser", MakePercentageCloser, 0.015, 0.03, 1.0 / 11.0 },
+    { "Marched", MakeMarched, 0.015, 0.03, 1.0 / 8.0 },
   };
   return techniques;
 }

@@ -20,26 +20,31 @@ uniform int stepCount;
 uniform float thickness; // of a blocker, in steps
 
 // 1 if a texel blocks the ray to e. The steps are even in the square root of the light's width, so
-// that they are fine where contacts are.
+// that they are fine where contacts are. A step only finds a surface nearby; whether the ray meets it is
+// asked where the ray is as deep as the surface, or penumbrae come out too narrow.
 float marchRay(MapPoint point, vec2 e, float jitter, float reach)
 {
   float range = sqrt(reach);
-  float before = reach; // distance to the receiver, in d, of the step before
-  for (int i = 0; i < stepCount; ++i)
+  float previous = 0.0;
+  // The first step lies before the nearest depth, so that every surface lies between two steps.
+  for (int i = 0; i <= stepCount; ++i)
   {
-    float root = range * (1.0 - (float(i) + jitter) / float(stepCount));
-    float distance = root * root;
+    float root = range * (float(stepCount + 1 - i) - jitter) / float(stepCount);
+    float next = max(root - range / float(stepCount), 0.0);
+    float distance = root * root; // to the receiver, in d
+    float gap = thickness * max(previous - distance, distance - next * next);
+    previous = distance;
     vec2 st = point.std.xy + e * kernelScale * distance;
     float depth = mapDepth(st, mapLayer);
-    // How far in front of the ray the texel is; a blocker is thickness steps thick.
-    float front = point.std.z - distance - depth;
-    float next = range * max(1.0 - (float(i) + jitter + 1.0) / float(stepCount), 0.0);
-    if (front >= 0.0 && front <= thickness * max(before - distance, distance - next * next) &&
-      isBlocker(point, st, depth))
+    if (abs(point.std.z - distance - depth) <= gap)
     {
-      return 1.0;
+      vec2 meeting = point.std.xy + e * kernelScale * max(point.std.z - depth, 0.0);
+      float there = mapDepth(meeting, mapLayer);
+      if (abs(there - depth) <= gap && isBlocker(point, meeting, there))
+      {
+        return 1.0;
+      }
     }
-    before = distance;
   }
   return 0.0;
 }
