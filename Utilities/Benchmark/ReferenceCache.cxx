@@ -8,6 +8,8 @@
 #include <filesystem> // For the folder
 #include <stdexcept>  // For damaged files
 
+#include <unistd.h>
+
 namespace softshadows
 {
 namespace
@@ -56,9 +58,10 @@ VisibilityImage ReferenceCache::Get(vtkRenderer* renderer, int width, int height
   image = { width, height, std::move(traced.Visibility), std::move(traced.Depth) };
   if (!path.empty())
   {
-    // Under another name first: a run that is stopped leaves no half of a reference.
+    // Under another name first: a run that is stopped leaves no half of a reference, and two runs at
+    // once do not write into one file.
     std::filesystem::create_directories(this->Folder);
-    const std::string unfinished = path + ".part.exr";
+    const std::string unfinished = path + "." + std::to_string(getpid()) + ".part.exr";
     WriteVisibility(unfinished, image);
     std::filesystem::rename(unfinished, path);
   }

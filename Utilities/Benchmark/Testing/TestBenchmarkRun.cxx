@@ -15,6 +15,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <unistd.h>
+
 using namespace softshadows;
 
 namespace
@@ -78,9 +80,14 @@ protected:
   {
     delete Results;
     Results = nullptr;
+    std::filesystem::remove_all(CacheFolder());
   }
 
-  static std::string CacheFolder() { return SOFTSHADOWS_TEST_OUTPUT_DIR "/ReferenceCache"; }
+  // Of this process alone: ctest runs every test below in a process of its own, several at a time.
+  static std::string CacheFolder()
+  {
+    return SOFTSHADOWS_TEST_OUTPUT_DIR "/ReferenceCache" + std::to_string(getpid());
+  }
 
   static const ContestantResult& Get(const std::string& name)
   {
@@ -159,7 +166,6 @@ TEST_F(BenchmarkRun, ReferenceComesFromTheCacheTheSecondTime)
   const SceneResult again =
     BenchmarkRunner(settings, MakePass).Run(MakeScene(), { { "rays", { { "samples", "16" } } } });
   EXPECT_GT(again.Contestants[0].Rmse, 0.1);
-  std::filesystem::remove_all(CacheFolder());
 }
 
 //--------------------------------------------------------------------------------------------------
