@@ -27,7 +27,8 @@ struct BenchmarkSettings
   int Rounds = 9;
   /// Time that one contestant may use for one scene, in seconds; one frame per motion is always run.
   double SecondsPerContestant = 20.0;
-  /// Seconds; contestants whose frames will take longer are left out.
+  /// Seconds; of contestants that take longer a single frame is timed, and those of which that can be
+  /// foreseen are left out.
   double LongestFrame = 60.0;
   int ReferenceSamplesPerAxis = 48;
   /// Where references are kept; empty: nowhere.

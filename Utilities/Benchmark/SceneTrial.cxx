@@ -148,6 +148,12 @@ void SceneTrial::Prepare(const ContestantChoice& choice, Entry& entry)
   this->Judge(entry);
   const double first = this->Time(entry, Motion::Light);
   entry.SecondsPerFrame = 1e-3 * first;
+  entry.IsSlow = entry.SecondsPerFrame > this->Settings.LongestFrame;
+  if (entry.IsSlow)
+  {
+    KeepSteps(entry); // this frame is all that is timed
+    return;
+  }
   // What was warm-up alone is not a time.
   entry.Result.Times = {};
   entry.SecondsUsed = 0.0;
@@ -199,7 +205,7 @@ double SceneTrial::Time(Entry& entry, Motion motion)
 //--------------------------------------------------------------------------------------------------
 bool SceneTrial::HasTime(const Entry& entry) const
 {
-  return entry.Runner && entry.SecondsUsed < this->Settings.SecondsPerContestant;
+  return entry.Runner && !entry.IsSlow && entry.SecondsUsed < this->Settings.SecondsPerContestant;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -209,8 +215,8 @@ void SceneTrial::TimeRound()
   {
     for (Entry& entry : this->Entries)
     {
-      const bool isFirst =
-        entry.Runner && entry.Result.Times[static_cast<size_t>(motion)].Milliseconds.empty();
+      const bool isFirst = entry.Runner && !entry.IsSlow &&
+        entry.Result.Times[static_cast<size_t>(motion)].Milliseconds.empty();
       if ((isFirst || this->HasTime(entry)) && entry.Runner->Notices(motion))
       {
         this->Time(entry, motion);

@@ -44,6 +44,8 @@ private:
     double SecondsUsed = 0.0;
     /// Of the first frame with moving lights after warming up.
     double SecondsPerFrame = 0.0;
+    /// That frame took longer than a frame may: it is not drawn again.
+    bool IsSlow = false;
     std::map<std::string, FrameTimes> Steps;
     std::vector<std::string> StepOrder;
   };

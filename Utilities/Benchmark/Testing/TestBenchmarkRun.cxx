@@ -169,6 +169,22 @@ TEST_F(BenchmarkRun, ReferenceComesFromTheCacheTheSecondTime)
 }
 
 //--------------------------------------------------------------------------------------------------
+TEST_F(BenchmarkRun, SlowContestantsAreTimedOnceOrLeftOut)
+{
+  BenchmarkSettings settings;
+  settings.ReferenceSamplesPerAxis = 2;
+  settings.LongestFrame = 1e-6; // slow is whatever takes a microsecond
+  const SceneResult slow =
+    BenchmarkRunner(settings, MakePass)
+      .Run(MakeScene(), { { "rays", { { "samples", "1" } } }, { "rays", { { "samples", "4" } } } });
+  ASSERT_EQ(slow.Contestants.size(), 2U);
+  const auto light = static_cast<size_t>(Motion::Light);
+  EXPECT_EQ(slow.Contestants[0].Times[light].Milliseconds.size(), 1U);
+  EXPECT_TRUE(slow.Contestants[0].HasErrors());
+  EXPECT_NE(slow.Contestants[1].Failure.find("left out"), std::string::npos);
+}
+
+//--------------------------------------------------------------------------------------------------
 TEST_F(BenchmarkRun, JsonHasGoogleBenchmarksForm)
 {
   const auto json = nlohmann::json::parse(ToJson(*Results).dump());
