@@ -5,6 +5,7 @@
 #include "vtkMarchedSoftShadowPass.h"
 #include "vtkPercentageCloserSoftShadowPass.h"
 #include "vtkSampledSoftShadowPass.h"
+#include "vtkSeparableSoftShadowPass.h"
 
 #include <ostream>
 
@@ -66,6 +67,24 @@ vtkSmartPointer<vtkSoftShadowPass> MakeMarched(Effort effort, Weights weights)
   return pass;
 }
 
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkSoftShadowPass> MakeSeparable(Effort effort, Weights weights)
+{
+  auto pass = vtkSmartPointer<vtkSeparableSoftShadowPass>::New();
+  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
+  pass->SetSearchWidth(effort == Effort::Accurate ? 29 : 11);
+  pass->SetFilterWidth(effort == Effort::Accurate ? 41 : 21);
+  if (weights == Weights::Gaussian)
+  {
+    pass->SetWeightsToGaussian();
+  }
+  else
+  {
+    pass->SetWeightsToMean();
+  }
+  return pass;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -75,6 +94,7 @@ const std::vector<Technique>& AllTechniques()
     { "Sampled", MakeSampled, 0.01, 0.03, 1.0 / 16.0 },
     { "PercentageCloser", MakePercentageCloser, 0.015, 0.03, 1.0 / 11.0 },
     { "Marched", MakeMarched, 0.015, 0.03, 1.0 / 8.0 },
+    { "Separable", MakeSeparable, 0.015, 0.03, 1.0 / 11.0, 0.002 },
   };
   return techniques;
 }

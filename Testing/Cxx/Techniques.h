@@ -40,6 +40,9 @@ struct Technique
   double LargestWidthError;
   /// The fewest steps in which the visibility can change with Effort::Quick: one sample's weight.
   double QuickStep;
+  /// Largest root mean square that the border of the picture may add where neighbours on the screen
+  /// take part; 0 for techniques that look at each pixel alone.
+  double LargestBorderError = 0.0;
 };
 
 const std::vector<Technique>& AllTechniques();

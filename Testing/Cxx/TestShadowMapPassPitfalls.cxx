@@ -114,7 +114,7 @@ TEST_P(Pitfall, InputOfTheMapperChanges)
   const Picture changed = stage.RenderVisibility(this->Scene.Lamp);
   const auto fresh = this->GetParam().Make(Effort::Quick, Weights::Mean);
   stage.SetPass(fresh);
-  EXPECT_TRUE(Matches(changed, stage.RenderVisibility(this->Scene.Lamp), Identical));
+  EXPECT_TRUE(Matches(changed, stage.RenderVisibility(this->Scene.Lamp), SameToRounding));
 }
 
 //------------------------------------------------------------------------------
@@ -236,7 +236,16 @@ TEST_P(Pitfall, CasterLeavesTheView)
   Stage wide(this->Scene.Renderer, this->GetParam().Make(Effort::Quick, Weights::Mean), 5 * Width,
     5 * Height);
   const Picture all = wide.RenderVisibility(this->Scene.Lamp);
-  EXPECT_TRUE(Matches(close, all.Part(2 * Width, 2 * Height, Width, Height), SameButForFlips));
+  const Picture part = all.Part(2 * Width, 2 * Height, Width, Height);
+  if (this->GetParam().LargestBorderError > 0.0)
+  {
+    EXPECT_LT(Compare(close, part, SameButForFlips).RootMeanSquare,
+      this->GetParam().LargestBorderError);
+  }
+  else
+  {
+    EXPECT_TRUE(Matches(close, part, SameButForFlips));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,8 @@ namespace softshadows
 // A technique is one file with one such function, and its name in the table below.
 Technique MakeSampledTechnique();
 Technique MakePercentageCloserTechnique();
+Technique MakeSeparableTechnique();
+Technique MakeScreenSpaceTechnique();
 Technique MakeCascadedTechnique();
 Technique MakeVirtualTechnique();
 Technique MakeMarchedTechnique();
@@ -19,6 +21,8 @@ const std::vector<Technique>& GetTechniques()
   static const std::vector<Technique> techniques = {
     MakeSampledTechnique(),
     MakePercentageCloserTechnique(),
+    MakeSeparableTechnique(),
+    MakeScreenSpaceTechnique(),
     MakeCascadedTechnique(),
     MakeVirtualTechnique(),
     MakeMarchedTechnique(),

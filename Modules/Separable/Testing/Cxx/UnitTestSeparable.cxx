@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Separable kernels against the brute-force ones they stand for, and what reuse may not do.
+#include "OffscreenWindow.h"
+#include "Picture.h"
+#include "Scenes.h"
+
+#include "vtkActor.h"
+#include "vtkAreaLight.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkScreenSpaceSoftShadowPass.h"
+#include "vtkSeparableSoftShadowPass.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace SoftShadowsTesting;
+
+namespace
+{
+
+const int Width = 160;
+const int Height = 120;
+
+//------------------------------------------------------------------------------
+Picture Draw(vtkRenderer* renderer, vtkSoftShadowPass* pass, int width = Width, int height = Height)
+{
+  OffscreenWindow window(width, height);
+  window.Add(renderer);
+  UsePass(renderer, pass);
+  window.Render();
+  const Picture picture = PictureOf(pass->GetVisibilityImage(0));
+  pass->ReleaseGraphicsResources(window.Get());
+  UsePass(renderer, nullptr);
+  window.Remove(renderer);
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkSeparableSoftShadowPass> MakePass(double threshold)
+{
+  auto pass = vtkSmartPointer<vtkSeparableSoftShadowPass>::New();
+  pass->SetMapSize(512);
+  pass->SetSearchWidth(11);
+  pass->SetFilterWidth(21);
+  pass->SetAlpha(threshold);
+  pass->SetBeta(threshold);
+  return pass;
+}
+
+struct Errors
+{
+  double Maximum = 0.0;
+  double RootMeanSquare = 0.0;
+  int Pixels = 0;
+  /// Off by more than a tenth.
+  int FarOff = 0;
+};
+
+//------------------------------------------------------------------------------
+// Pixels that have a value in one picture alone count as wholly wrong.
+Errors Compare(const Picture& first, const Picture& second)
+{
+  Errors errors;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < first.Values.size(); ++i)
+  {
+    const bool one = std::isnan(first.Values[i]);
+    const bool other = std::isnan(second.Values[i]);
+    if (one && other)
+    {
+      continue;
+    }
+    const double error =
+      one != other ? 1.0 : std::abs(static_cast<double>(first.Values[i]) - second.Values[i]);
+    errors.Maximum = std::max(errors.Maximum, error);
+    errors.FarOff += error > 0.1 ? 1 : 0;
+    sum += error * error;
+    ++errors.Pixels;
+  }
+  errors.RootMeanSquare = errors.Pixels > 0 ? std::sqrt(sum / errors.Pixels) : 0.0;
+  return errors;
+}
+
+//------------------------------------------------------------------------------
+// A thin leaf over the ground, seen from the side: it hides a part of the ground that its own
+// penumbra, and that of a larger leaf above, run over.
+vtkSmartPointer<vtkRenderer> MakeLeafScene()
+{
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetAutomaticLightCreation(false);
+  renderer->AddActor(MakeQuadActor({ Quad{
+    Point{ { -4.0, -4.0, 0.0 } }, Point{ { 8.0, 0.0, 0.0 } }, Point{ { 0.0, 8.0, 0.0 } } } }));
+  renderer->AddActor(MakeQuadActor({ Quad{
+    Point{ { -1.2, -1.25, 0.3 } }, Point{ { 1.6, 0.1, 0.05 } }, Point{ { 0.0, 0.15, 0.06 } } } }));
+  renderer->AddActor(MakeQuadActor({ Quad{
+    Point{ { -0.9, -0.2, 1.0 } }, Point{ { 1.0, 0.2, 0.2 } }, Point{ { -0.2, 0.7, 0.0 } } } }));
+  vtkNew<vtkAreaLight> light;
+  light->SetPositional(true);
+  light->SetConeAngle(80.0);
+  light->SetPosition(0.3, 0.4, 4.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetShapeToRectangle();
+  light->SetSize(0.6, 0.6);
+  renderer->AddLight(light);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(0.2, -4.0, 1.2);
+  camera->SetFocalPoint(0.0, 0.0, 0.2);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  renderer->ResetCameraClippingRange();
+  return renderer;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+// The brute-force kernels, n x n, are those of the pass itself with nothing reused; that these are
+// the percentage-closer pass's is tested where all techniques are known.
+TEST(Separable, ReuseStaysCloseToBruteForceOnClosedForms)
+{
+  for (const NamedScene& named : ClosedFormScenes())
+  {
+    const Scene scene = named.Make(Placement());
+    const auto exact = MakePass(0.0);
+    const auto separable = MakePass(0.1);
+    exact->SetWeightsToMean();
+    separable->SetWeightsToMean();
+    const Errors errors = Compare(Draw(scene.Renderer, exact), Draw(scene.Renderer, separable));
+    // On 512 texels: 0.008 under rectangles, 0.011 under disks, whose rows are cut from three parts.
+    EXPECT_LT(errors.RootMeanSquare, 0.0125) << scene.Description << ", worst " << errors.Maximum;
+    EXPECT_GT(errors.Pixels, Width * Height / 4) << scene.Description;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Separable, ErrorsGrowWithTheThresholds)
+{
+  for (const int reuse :
+    { vtkSeparableSoftShadowPass::REUSE_BY_KERNEL, vtkSeparableSoftShadowPass::REUSE_AS_PUBLISHED })
+  {
+    const vtkSmartPointer<vtkRenderer> renderer = MakeLeafScene();
+    const Picture exact = Draw(renderer, MakePass(0.0));
+    double last = 0.0;
+    for (const double threshold : { 0.001, 0.05, 0.3, 1.0 })
+    {
+      const auto pass = MakePass(threshold);
+      pass->SetReuse(reuse);
+      const double error = Compare(exact, Draw(renderer, pass)).RootMeanSquare;
+      // Rows that are read and rows that are reused differ by noise on one plane.
+      EXPECT_GE(error, last - 2e-4) << "criterion " << reuse << ", threshold " << threshold;
+      last = error;
+    }
+    EXPECT_GT(last, 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Separable, NearLeafLeavesNoGhostOnTheGroundBehindIt)
+{
+  const vtkSmartPointer<vtkRenderer> renderer = MakeLeafScene();
+  const Picture exact = Draw(renderer, MakePass(0.0));
+  vtkNew<vtkSeparableSoftShadowPass> standard;
+  standard->SetMapSize(512);
+  standard->SetSearchWidth(11);
+  standard->SetFilterWidth(21);
+  const Errors errors = Compare(exact, Draw(renderer, standard));
+  // Single pixels where a blocker enters the search may differ; a ghost is a patch of them.
+  EXPECT_LE(errors.FarOff, 20);
+  EXPECT_LT(errors.RootMeanSquare, 0.01);
+
+  // The scene can show ghosts: the published criterion with a wide threshold does.
+  const auto careless = MakePass(1.0);
+  careless->SetReuse(vtkSeparableSoftShadowPass::REUSE_AS_PUBLISHED);
+  EXPECT_GT(Compare(exact, Draw(renderer, careless)).FarOff, 100);
+}
+
+//------------------------------------------------------------------------------
+TEST(Separable, ScaleAndPlaceChangeNothing)
+{
+  const Scene scene = MakeRectangleScene(Weights::Gaussian);
+  const Picture expected = Draw(scene.Renderer, MakePass(0.1));
+  for (const Placement& placement : { Placement{ 1e5, { { 0.0, 0.0, 0.0 } } },
+         Placement{ 1e-4, { { 0.0, 0.0, 0.0 } } }, Placement{ 1.0, { { 3e4, -2e4, 1e4 } } } })
+  {
+    const Scene placed = MakeRectangleScene(Weights::Gaussian, placement);
+    const Errors errors = Compare(expected, Draw(placed.Renderer, MakePass(0.1)));
+    EXPECT_LT(errors.RootMeanSquare, 1e-3) << "scale " << placement.Scale;
+  }
+}
+
+//------------------------------------------------------------------------------
+// The middle of a wider image is the narrow image: the vertical view angle is the same.
+TEST(Separable, PenumbraeDoNotBreakAtTheBorder)
+{
+  const Scene scene = MakeRectangleScene(Weights::Gaussian);
+  for (const int narrow : { 40, 60, 80 })
+  {
+    const Picture wide = Draw(scene.Renderer, MakePass(0.1));
+    const Picture part = Draw(scene.Renderer, MakePass(0.1), narrow, Height);
+    const Errors errors = Compare(wide.Part((Width - narrow) / 2, 0, narrow, Height), part);
+    EXPECT_LT(errors.RootMeanSquare, 0.01) << narrow << " pixels wide";
+    EXPECT_LT(errors.Maximum, 0.1) << narrow << " pixels wide";
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Separable, CountsTheRowsThatAreReused)
+{
+  const Scene scene = MakeRectangleScene(Weights::Gaussian);
+  const auto pass = MakePass(0.1);
+  pass->SetCountReuse(true);
+  const Picture visibility = Draw(scene.Renderer, pass);
+  for (const int stage :
+    { vtkSeparableSoftShadowPass::SEARCH_STAGE, vtkSeparableSoftShadowPass::FILTER_STAGE })
+  {
+    EXPECT_GT(pass->GetReuseShare(stage), 0.6) << "stage " << stage;
+    const Picture image = PictureOf(pass->GetReuseImage(stage));
+    ASSERT_EQ(image.Values.size(), visibility.Values.size());
+    for (std::size_t i = 0; i < image.Values.size(); ++i)
+    {
+      const float share = image.Values[i];
+      ASSERT_TRUE(std::isnan(share) || (share >= 0.0f && share <= 1.0f)) << share;
+      // Only receivers are filtered.
+      ASSERT_TRUE(std::isnan(share) || !std::isnan(visibility.Values[i]));
+    }
+  }
+  pass->SetAlpha(0.0);
+  pass->SetBeta(0.0);
+  Draw(scene.Renderer, pass);
+  EXPECT_EQ(pass->GetReuseShare(vtkSeparableSoftShadowPass::SEARCH_STAGE), 0.0);
+  EXPECT_EQ(pass->GetReuseShare(vtkSeparableSoftShadowPass::FILTER_STAGE), 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(ScreenSpace, FollowsTheClosedForm)
+{
+  const Scene scene = MakeRectangleScene(Weights::Gaussian);
+  const auto make = []
+  {
+    auto pass = vtkSmartPointer<vtkScreenSpaceSoftShadowPass>::New();
+    pass->SetMapSize(512);
+    return pass;
+  };
+  const Picture actual = Draw(scene.Renderer, make());
+  double sum = 0.0;
+  const std::vector<PlanePixel> pixels = GetPlanePixels(scene, Width, Height);
+  for (const PlanePixel& pixel : pixels)
+  {
+    const double error = actual.At(pixel.X, pixel.Y) - pixel.Expected;
+    sum += error * error;
+  }
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(pixels.size())), 0.05);
+}

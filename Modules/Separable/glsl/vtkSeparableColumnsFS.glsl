@@ -1,0 +1,174 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+
+// Step 2: the blocker search's column of rows, hence the penumbra, and the middle row of the filter.
+
+//SoftShadows::Include vtkShadowReceiver
+//SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowKernel
+//SoftShadows::Include vtkShadowBlocker
+//Separable::Rows
+//Separable::Reuse
+
+uniform mat4 viewToMap;
+uniform sampler2DArray searchRows;
+uniform float alpha;
+uniform float rowTotal; // weight of all taps of a filter's row
+
+// Rows whose mean is the middle row of the filter: four leave 0.02 dB to ten.
+const int mostMiddleRows = 4;
+
+bool canReuse(MapPoint point, vec4 other, vec2 expected, vec2 halfWidth)
+{
+  if (other.w == 0.0)
+  {
+    return false;
+  }
+  if (reusePublished == 1)
+  {
+    return abs(linearDepth(other.z) - linearDepth(point.std.z)) < reusePublishedLimits.x;
+  }
+  // A row that was searched from another plane is as wrong as its distance is large beside the
+  // distance that the search spans.
+  return offPlane(point, other.xyz) < alpha * point.std.z && isNear(other.xyz, expected, halfWidth);
+}
+
+// Sum and number of the blockers, all rows read from the map.
+vec2 readBlockers(MapPoint point, vec2 halfWidth, int rows, int taps)
+{
+  vec2 total = vec2(0.0);
+  for (int j = 0; j < rows; ++j)
+  {
+    addSearchRow(point, tapCoordinate(j, rows), halfWidth, taps, total);
+  }
+  return total;
+}
+
+// Sum and number of the blockers in the chord of a row that another pixel has taken.
+vec2 blockersInRow(MapPoint point, vec3 pixel, float chord, vec2 offset)
+{
+  vec4 row = textureLod(searchRows, pixel, 0.0);
+  vec2 whole = row.xy + row.zw;
+  // Across the row its blockers are asked together whether the light reaches them.
+  if (whole.y <= 0.0 || !reaches(point, offset, mapDepthOfLinear(whole.x / whole.y)))
+  {
+    return vec2(0.0);
+  }
+  return row.xy * min(chord / searchNode, 1.0) +
+    row.zw * max((chord - searchNode) / (1.0 - searchNode), 0.0);
+}
+
+// Sum and number of the blockers, and the share of reused rows.
+vec3 gatherBlockers(MapPoint point, vec2 halfWidth, ColumnWalk walk, ColumnRows rows, int taps)
+{
+  vec2 total = vec2(0.0);
+  float reused = 0.0;
+  for (int i = -rows.reach; i <= rows.reach; ++i)
+  {
+    float y = float(i) * rows.stride;
+    vec2 cell = cellOfRow(rows, i);
+    float share = lineWeight(cell.x, columnAxis) * cell.y;
+    vec2 offset = y * columnAxis * halfWidth;
+    vec3 pixel = vec3(screenAt(walk, dot(offset, columnAxis)), 0.0);
+    vec4 other = textureLod(receiverPoints, pixel, 0.0);
+    if (canReuse(point, other, point.std.xy + offset, halfWidth))
+    {
+      total += share * blockersInRow(point, pixel, chordAt(cell.x), offset);
+      reused += 1.0;
+    }
+    else
+    {
+      vec2 row = vec2(0.0);
+      addSearchRow(point, cell.x, halfWidth, taps, row);
+      // The weight along the column is in the row already, and it has fewer taps than a reused one.
+      total += row * cell.y * float(searchWidth) / float(taps);
+    }
+  }
+  return vec3(total, reused / float(2 * rows.reach + 1));
+}
+
+// Mean map depth of the blockers, negative if there are none, and the share of reused rows.
+vec2 searchBlockers(MapPoint point, vec2 halfWidth)
+{
+  vec3 total = vec3(0.0);
+  if (alpha == 0.0)
+  {
+    total.xy = readBlockers(point, halfWidth, searchWidth, searchWidth);
+  }
+  else
+  {
+    ColumnWalk walk = startWalk(point);
+    float halfColumn = dot(halfWidth, columnAxis);
+    ColumnRows rows = planRows(walk, halfColumn, searchWidth);
+    int taps = tapsThatMatter(searchWidth, dot(halfWidth, rowAxis));
+    if (rows.reach < 0)
+    {
+      total.xy = readBlockers(point, halfWidth, tapsThatMatter(searchWidth, halfColumn), taps);
+    }
+    else
+    {
+      total = gatherBlockers(point, halfWidth, walk, rows, taps);
+    }
+  }
+  return vec2(total.y > 0.0 ? mapDepthOfLinear(total.x / total.y) : -1.0, total.z);
+}
+
+// Adds the weights of the blocked taps in a row beside the middle one, up to the first node, the
+// second, and the end; and in w, of all taps.
+void addMiddleRow(MapPoint point, float halfWidth, float beside, int taps, inout vec4 row)
+{
+  for (int i = 0; i < taps; ++i)
+  {
+    float x = tapCoordinate(i, taps);
+    float tapShare = lineWeight(x, rowAxis);
+    row.w += tapShare;
+    vec2 st = point.std.xy + x * halfWidth * rowAxis + beside * columnAxis;
+    if (isBlocked(point, st, mapLayer))
+    {
+      row.xyz += abs(x) < filterNodes.x
+        ? vec3(tapShare, 0.0, 0.0)
+        : (abs(x) < filterNodes.y ? vec3(0.0, tapShare, 0.0) : vec3(0.0, 0.0, tapShare));
+    }
+  }
+}
+
+// The middle row of the filter: the mean of several rows across the part of a column that it will
+// stand for, so that a column has about as many rows as taps, however few pixels it crosses.
+vec3 filterMiddleRow(MapPoint point, vec2 halfWidth)
+{
+  float halfColumn = dot(halfWidth, columnAxis);
+  float halfRow = dot(halfWidth, rowAxis);
+  ColumnRows rows = planRows(startWalk(point), halfColumn, filterWidth);
+  int count = clamp(filterWidth / (2 * rows.reach + 1), 1, mostMiddleRows);
+  float cell = rows.reach < 0 ? 0.0 : rows.stride * halfColumn;
+  // The parts of a disk's rows need all taps; else several rows share the work.
+  int taps = emitterDisk == 1 ? filterWidth : tapsThatMatter(filterWidth, 0.25 * halfRow);
+  vec4 sum = vec4(0.0);
+  for (int j = 0; j < count; ++j)
+  {
+    addMiddleRow(point, halfRow, 0.5 * tapCoordinate(j, count) * cell, taps, sum);
+  }
+  return sum.xyz * (rowTotal / sum.w);
+}
+
+void main()
+{
+  Receiver receiver;
+  loadReceiver(ivec2(gl_FragCoord.xy), receiver);
+  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  vec2 search = searchBlockers(point, kernelScale * max(point.std.z, 0.0));
+  // w: the depth between receiver and blockers, which is the filter's width.
+  float gap = search.x < 0.0 ? 0.0 : max(point.std.z - search.x, 0.0);
+  vec4 row = vec4(0.0, 0.0, 0.0, search.x < 0.0 ? SEPARABLE_LIT_ROW : gap);
+  if (!(point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0))
+  {
+    // The receiver's own surface hides some of the light, a part that is no product of rows.
+    row = vec4(gap, 0.0, 0.0, SEPARABLE_NO_ROW);
+  }
+  else if (search.x >= 0.0)
+  {
+    row.xyz = filterMiddleRow(point, gap * kernelScale);
+  }
+  gl_FragData[0] = row;
+  gl_FragData[1] = vec4(search.y);
+}

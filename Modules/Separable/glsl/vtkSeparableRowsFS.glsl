@@ -1,0 +1,40 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+
+// Step 1: each receiver's map coordinates, its hard shadow, and the middle row of its blocker search.
+
+//SoftShadows::Include vtkShadowReceiver
+//SoftShadows::Include vtkShadowLight
+//SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowKernel
+//SoftShadows::Include vtkShadowBlocker
+//Separable::Rows
+
+uniform mat4 viewToMap;
+
+void main()
+{
+  Receiver receiver;
+  if (!loadReceiver(ivec2(gl_FragCoord.xy), receiver) || !lightReaches(receiver.positionVs))
+  {
+    discard;
+  }
+  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  // Sum and number of the row's blockers, up to the node and beyond it.
+  vec4 row = vec4(0.0);
+  vec2 halfRow = rowAxis * (scaleAlong(rowAxis) * max(point.std.z, 0.0));
+  for (int i = 0; i < searchWidth; ++i)
+  {
+    float x = tapCoordinate(i, searchWidth);
+    vec2 st = point.std.xy + x * halfRow;
+    float depth = mapDepth(st, mapLayer);
+    if (isBlocker(point, st, depth) && reaches(point, x * halfRow, depth))
+    {
+      vec2 blocker = lineWeight(x, rowAxis) * vec2(linearDepth(depth), 1.0);
+      row += abs(x) < searchNode ? vec4(blocker, 0.0, 0.0) : vec4(0.0, 0.0, blocker);
+    }
+  }
+  bool blocked = isBlocked(point, point.std.xy, mapLayer);
+  gl_FragData[0] = vec4(point.std, blocked ? SEPARABLE_BLOCKED : SEPARABLE_LIT);
+  gl_FragData[1] = row;
+}

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSeparableSoftShadowPass
+ * @brief   Percentage-closer soft shadows whose two kernels are separated into rows and columns.
+ *
+ * J. M. Buades, J. Gumbau, M. Chover, "Separable soft shadow mapping", The Visual Computer 2015.
+ * Both kernels of percentage-closer soft shadows, n x n taps each, are columns of n rows of n taps,
+ * and a row that one pixel has taken serves all pixels in whose column it lies:
+ *  1. rows: per receiver the middle row of its blocker search, along the map's s axis;
+ *  2. columns: per penumbra pixel the rows along t, each taken from the pixel that sees the place,
+ * or, if that pixel shows something else, read from the depth map; hence the blockers' mean
+ * distance and the penumbra's width; and the middle row of the filter of that width;
+ *  3. visibility: the filter's rows along t, likewise.
+ * So a pixel costs some 4 n steps in place of 2 n^2. Where no row can be reused the result is that
+ * of vtkPercentageCloserSoftShadowPass with the same taps, exactly.
+ *
+ * Unlike the paper, whose blur walks the screen, both columns walk the map: rows of the screen and
+ * rows of the light need not be parallel. See ReuseType for when a row is reused.
+ *
+ * It inherits the errors of percentage-closer soft shadows and adds what reuse adds; see the figures
+ * in Documentation/Techniques/SeparableSoftShadowMapping.md.
+ */
+
+#ifndef vtkSeparableSoftShadowPass_h
+#define vtkSeparableSoftShadowPass_h
+
+#include "vtkRenderingSoftShadowsSeparableModule.h" // For export macro
+#include "vtkShadowLightSampling.h"                 // For weights
+#include "vtkSoftShadowPass.h"
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <array>  // For weights
+#include <memory> // For the implementation
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKRENDERINGSOFTSHADOWSSEPARABLE_EXPORT vtkSeparableSoftShadowPass : public vtkSoftShadowPass
+{
+public:
+  static vtkSeparableSoftShadowPass* New();
+  vtkTypeMacro(vtkSeparableSoftShadowPass, vtkSoftShadowPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Taps along an edge of the blocker search, in [1, 128]. Default is 15.
+   */
+  vtkSetClampMacro(SearchWidth, int, 1, 128);
+  vtkGetMacro(SearchWidth, int);
+  ///@}
+
+  ///@{
+  /**
+   * Taps along an edge of the filter, in [1, 128]. Published pairs of search and filter are 7/15,
+   * 11/21 and 29/41. Default is 21.
+   */
+  vtkSetClampMacro(FilterWidth, int, 1, 128);
+  vtkGetMacro(FilterWidth, int);
+  ///@}
+
+  ///@{
+  /**
+   * Weights of the taps: N(0, 0.5) over the light's window [-1, 1]^2, or uniform. The Gaussian hides
+   * that the kernel is a square. Default is GAUSSIAN.
+   */
+  vtkSetClampMacro(Weights, int, vtkShadowLightSampling::MEAN, vtkShadowLightSampling::GAUSSIAN);
+  vtkGetMacro(Weights, int);
+  void SetWeightsToMean() { this->SetWeights(vtkShadowLightSampling::MEAN); }
+  void SetWeightsToGaussian() { this->SetWeights(vtkShadowLightSampling::GAUSSIAN); }
+  ///@}
+
+  /// When a row of another pixel may stand for the row that is needed.
+  enum ReuseType
+  {
+    /**
+     * Its point lies within a share of the kernel's own depth off the receiver's plane: of the
+     * depth that the search spans (Alpha), of the depth between receiver and blockers (Beta). Depths
+     * are map depths, to which the kernels' widths are proportional, so the shares are also those by
+     * which the row is too wide or too narrow. A near object never reuses rows of what lies
+     * behind it, whatever the size of the scene.
+     */
+    REUSE_BY_KERNEL = 0,
+    /**
+     * As published: its distance from the light differs by less than Alpha times the depth range of
+     * the map (search), or its point is along the camera's depth less than Beta times the camera's
+     * clipping range off the receiver's plane (filter).
+     */
+    REUSE_AS_PUBLISHED = 1
+  };
+
+  ///@{
+  /**
+   * The criterion of reuse. Default is REUSE_BY_KERNEL.
+   */
+  vtkSetClampMacro(Reuse, int, REUSE_BY_KERNEL, REUSE_AS_PUBLISHED);
+  vtkGetMacro(Reuse, int);
+  void SetReuseToByKernel() { this->SetReuse(REUSE_BY_KERNEL); }
+  void SetReuseToAsPublished() { this->SetReuse(REUSE_AS_PUBLISHED); }
+  ///@}
+
+  ///@{
+  /**
+   * Thresholds of reuse for the blocker search (Alpha) and the filter (Beta), shares as ReuseType
+   * says, in [0, 1]. 0 reuses nothing: the exact result of the brute-force kernels, slowly. Larger
+   * is faster and less accurate. Default is 0.1.
+   */
+  vtkSetClampMacro(Alpha, double, 0.0, 1.0);
+  vtkGetMacro(Alpha, double);
+  vtkSetClampMacro(Beta, double, 0.0, 1.0);
+  vtkGetMacro(Beta, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the blocker search leaves out what no ray from the receiver to the light can meet: taps
+   * outside the light's image at their own depth, as in vtkPercentageCloserSoftShadowPass. The paper
+   * takes all taps. Default is on.
+   */
+  vtkSetMacro(Footprint, bool);
+  vtkGetMacro(Footprint, bool);
+  vtkBooleanMacro(Footprint, bool);
+  ///@}
+
+  /// Which axis of the map the rows lie along.
+  enum RowAxisType
+  {
+    ROWS_ALONG_S = 0,
+    ROWS_ALONG_T = 1
+  };
+
+  ///@{
+  /**
+   * Which axis of the map the rows lie along. Default is ROWS_ALONG_S.
+   */
+  vtkSetClampMacro(RowAxis, int, ROWS_ALONG_S, ROWS_ALONG_T);
+  vtkGetMacro(RowAxis, int);
+  ///@}
+
+  ///@{
+  /**
+   * Count the rows that are reused, for GetReuseImage and GetReuseShare. Takes a second draw of the
+   * last step and a wait for the GPU. Default is off.
+   */
+  vtkSetMacro(CountReuse, bool);
+  vtkGetMacro(CountReuse, bool);
+  vtkBooleanMacro(CountReuse, bool);
+  ///@}
+
+  enum StageType
+  {
+    SEARCH_STAGE = 0,
+    FILTER_STAGE = 1
+  };
+
+  ///@{
+  /**
+   * The share of rows that were reused in a stage, in [0, 1]: the mean over all emitters that filtered
+   * the pixel, and over all these pixels. The image is float, one component, the viewport's size,
+   * bottom row first, NaN where nothing was filtered; null, and 0, if nothing was counted.
+   */
+  vtkSmartPointer<vtkImageData> GetReuseImage(int stage);
+  double GetReuseShare(int stage);
+  ///@}
+
+protected:
+  vtkSeparableSoftShadowPass();
+  ~vtkSeparableSoftShadowPass() override;
+
+  void AddVisibility(const vtkSoftShadowContext& context) override;
+  bool HasGaussianWeights() const override;
+  vtkTypeInt64 GetTechniqueBytes() override;
+  int GetTechniqueShaderBuilds() override;
+
+  int SearchWidth = 15;
+  int FilterWidth = 21;
+  int Weights = vtkShadowLightSampling::GAUSSIAN;
+  int Reuse = REUSE_BY_KERNEL;
+  double Alpha = 0.1;
+  double Beta = 0.1;
+  bool Footprint = true;
+  int RowAxis = ROWS_ALONG_S;
+  bool CountReuse = false;
+
+private:
+  vtkSeparableSoftShadowPass(const vtkSeparableSoftShadowPass&) = delete;
+  void operator=(const vtkSeparableSoftShadowPass&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+
+  void DrawRows(const vtkSoftShadowContext& context);
+  void DrawColumns(const vtkSoftShadowContext& context);
+  void DrawVisibility(const vtkSoftShadowContext& context);
+  void AddReuse(const vtkSoftShadowContext& context);
+  vtkShaderProgram* UseStep(vtkShadowShader& shader, const vtkSoftShadowContext& context);
+  /// Sums of the filter's weights in the parts of a row.
+  std::array<float, 3> GetRowWeights(const vtkSoftShadowContext& context) const;
+  void SetReuseUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSeparableTarget.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShadowShader.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowsOpenGL.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+vtkSeparableTarget::~vtkSeparableTarget() = default;
+
+//------------------------------------------------------------------------------
+void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader,
+  const std::vector<Output>& outputs, unsigned int marks)
+{
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  state->PushFramebufferBindings();
+  if (!this->Framebuffer)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+  }
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  std::vector<unsigned int> buffers;
+  for (size_t i = 0; i < outputs.size(); ++i)
+  {
+    const unsigned int attachment = GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(i);
+    if (outputs[i].Texture)
+    {
+      outputs[i].Texture->AttachLayer(0, 0, static_cast<int>(i));
+    }
+    buffers.push_back(outputs[i].Texture ? attachment : GL_NONE);
+  }
+  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, marks);
+  state->vtkglDrawBuffers(static_cast<unsigned int>(buffers.size()), buffers.data());
+  state->vtkglDisable(GL_BLEND);
+  for (size_t i = 0; i < outputs.size(); ++i)
+  {
+    if (outputs[i].Texture)
+    {
+      const std::vector<float> value(4, outputs[i].ClearValue);
+      glClearBufferfv(GL_COLOR, static_cast<int>(i), value.data());
+    }
+  }
+  if (marks)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+  }
+  else
+  {
+    state->vtkglDisable(GL_DEPTH_TEST);
+  }
+  shader.Draw();
+  for (size_t i = 0; i < outputs.size(); ++i)
+  {
+    // Nothing stays attached: it may be read by the next step.
+    glFramebufferTextureLayer(
+      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(i), 0, 0, 0);
+  }
+  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
+  state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkSeparableTarget::ReleaseGraphicsResources(vtkWindow*)
+{
+  if (this->Framebuffer)
+  {
+    glDeleteFramebuffers(1, &this->Framebuffer);
+    this->Framebuffer = 0;
+  }
+}
+VTK_ABI_NAMESPACE_END

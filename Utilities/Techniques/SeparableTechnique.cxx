@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TechniqueOptions.h"
+
+#include "vtkNew.h"
+#include "vtkScreenSpaceSoftShadowPass.h"
+#include "vtkSeparableSoftShadowPass.h"
+
+namespace softshadows
+{
+namespace
+{
+
+// The options of both techniques that shape their kernels.
+template <typename Pass>
+void AddKernelOptions(Technique& technique, Pass* pass)
+{
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, SearchWidth, "search_width", "taps along an edge of the search for blockers"));
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, FilterWidth, "filter_width", "taps along an edge of the filter"));
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
+    pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
+}
+
+}
+
+//--------------------------------------------------------------------------------------------------
+Technique MakeSeparableTechnique()
+{
+  vtkNew<vtkSeparableSoftShadowPass> owner;
+  vtkSeparableSoftShadowPass* pass = owner;
+  Technique technique = MakeTechnique(
+    "sssm", "separable soft shadow mapping: pcss whose rows of taps serve many pixels", pass);
+  AddKernelOptions(technique, pass);
+  technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
+    pass, Alpha, "alpha", "how far off the plane a row of the search may be; 0 reuses none"));
+  technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
+    pass, Beta, "beta", "how far off the plane a row of the filter may be; 0 reuses none"));
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, Reuse, "reuse",
+    "shares of the kernel's depth, or of the light's and the view's", { "kernel", "published" }));
+  technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(
+    pass, Footprint, "footprint", "search only where rays to the light can meet a blocker"));
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
+    pass, RowAxis, "row_axis", "axis of the light that rows lie along", { "s", "t" }));
+  return technique;
+}
+
+//--------------------------------------------------------------------------------------------------
+Technique MakeScreenSpaceTechnique()
+{
+  vtkNew<vtkScreenSpaceSoftShadowPass> owner;
+  vtkScreenSpaceSoftShadowPass* pass = owner;
+  Technique technique =
+    MakeTechnique("ssabss", "the hard shadow, blurred on the screen by a bilateral filter", pass);
+  AddKernelOptions(technique, pass);
+  technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
+    pass, Beta, "beta", "distance to the plane that taps fade over, in view distances"));
+  return technique;
+}
+
+}
