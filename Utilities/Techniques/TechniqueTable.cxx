@@ -12,6 +12,7 @@ Technique MakePercentageCloserTechnique();
 Technique MakeSeparableTechnique();
 Technique MakeScreenSpaceTechnique();
 Technique MakeCascadedTechnique();
+Technique MakeBilateralTechnique();
 Technique MakeVirtualTechnique();
 Technique MakeMarchedTechnique();
 
@@ -24,6 +25,7 @@ const std::vector<Technique>& GetTechniques()
     MakeSeparableTechnique(),
     MakeScreenSpaceTechnique(),
     MakeCascadedTechnique(),
+    MakeBilateralTechnique(),
     MakeVirtualTechnique(),
     MakeMarchedTechnique(),
   };

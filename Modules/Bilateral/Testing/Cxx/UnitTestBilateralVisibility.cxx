@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the filter smooths, and what it must leave alone.
+
+#include "OffscreenWindow.h"
+#include "Picture.h"
+#include "Scenes.h"
+#include "WorldPositions.h"
+
+#include "vtkActor.h"
+#include "vtkAreaLight.h"
+#include "vtkBilateralSoftShadowPass.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace SoftShadowsTesting;
+
+namespace
+{
+using Pass = vtkBilateralSoftShadowPass;
+constexpr int Width = 200;
+constexpr int Height = 150;
+constexpr double Rounding = 1e-5;
+constexpr double Grey = 1.0 / 255.0; // what an eight-bit picture can show
+
+// A renderer in a window of its own.
+class Stage
+{
+public:
+  explicit Stage(vtkRenderer* renderer)
+    : Window(Width, Height)
+    , Renderer(renderer)
+  {
+    this->Window.Add(renderer);
+    UsePass(renderer, this->Shadows);
+    this->Shadows->SetMapSize(1024);
+  }
+  ~Stage() { this->Window.Remove(this->Renderer); }
+
+  Picture Render(int filter, int samples)
+  {
+    this->Shadows->SetFilter(filter);
+    this->Shadows->SetNumberOfSamples(samples);
+    this->Window.Render();
+    return PictureOf(this->Shadows->GetVisibilityImage(0));
+  }
+
+  vtkNew<Pass> Shadows;
+  OffscreenWindow Window;
+  vtkRenderer* Renderer;
+};
+
+double RootMeanSquare(const Picture& first, const Picture& second)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (size_t i = 0; i < first.Values.size(); ++i)
+  {
+    if (!std::isnan(first.Values[i]))
+    {
+      sum += std::pow(first.Values[i] - second.Values[i], 2);
+      ++count;
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
+// In the penumbra, where the scene knows the answer.
+double PenumbraError(const Scene& scene, const Picture& picture)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (const PlanePixel& pixel : GetPlanePixels(scene, Width, Height))
+  {
+    if (pixel.Expected > 0.0 && pixel.Expected < 1.0)
+    {
+      sum += std::pow(picture.At(pixel.X, pixel.Y) - pixel.Expected, 2);
+      ++count;
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
+void AddQuad(vtkRenderer* renderer, const Point& origin, const Point& edge1, const Point& edge2)
+{
+  renderer->AddActor(MakeQuadActor({ origin, edge1, edge2 }));
+}
+
+// A floor and a wall that stands on it, a board above them, and a lamp of the size given.
+vtkSmartPointer<vtkRenderer> MakeRoom(double lampSize)
+{
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  AddQuad(renderer, { { -4, -4, 0 } }, { { 8, 0, 0 } }, { { 0, 5, 0 } });
+  AddQuad(renderer, { { -4, 1, 0 } }, { { 8, 0, 0 } }, { { 0, 0, 4 } });
+  AddQuad(renderer, { { -1, -1.5, 0.8 } }, { { 2, 0, 0 } }, { { 0, 2, 0 } });
+  vtkNew<vtkAreaLight> lamp;
+  lamp->PositionalOn();
+  lamp->SetPosition(0.2, -1.0, 6.0);
+  lamp->SetFocalPoint(0.2, -1.0, 0.0);
+  lamp->SetShapeToRectangle();
+  lamp->SetSize(lampSize, lampSize);
+  renderer->AddLight(lamp);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(1.0, -7.0, 3.5);
+  camera->SetFocalPoint(0.0, 0.0, 0.4);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  renderer->ResetCameraClippingRange();
+  return renderer;
+}
+
+// Which of the room's planes each pixel shows.
+std::vector<int> RoomSurfaces(vtkRenderer* renderer, const Picture& depth)
+{
+  const Plane planes[] = { { { { 0, 0, 0 } }, { { 0, 0, 1 } } },
+    { { { 0, 1, 0 } }, { { 0, 1, 0 } } }, { { { 0, 0, 0.8 } }, { { 0, 0, 1 } } } };
+  double position[3];
+  double direction[3];
+  renderer->GetActiveCamera()->GetPosition(position);
+  renderer->GetActiveCamera()->GetDirectionOfProjection(direction);
+  std::vector<int> surfaces(depth.Values.size(), -1);
+  for (int plane = 0; plane < 3; ++plane)
+  {
+    const std::vector<Point> points = PlanePositions(renderer, Width, Height, planes[plane]);
+    for (size_t i = 0; i < points.size(); ++i)
+    {
+      double along = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        along += (points[i][k] - position[k]) * direction[k];
+      }
+      if (std::abs(along - depth.Values[i]) < 1e-3)
+      {
+        surfaces[i] = plane;
+      }
+    }
+  }
+  return surfaces;
+}
+} // namespace
+
+class BilateralClosedForm : public testing::TestWithParam<NamedScene>
+{
+};
+
+TEST_P(BilateralClosedForm, TheFilteredBandsAreTheRamp)
+{
+  const Scene scene = GetParam().Make(Placement());
+  Stage stage(scene.Renderer);
+  // Three points on a disk leave bands of one direction that no cell of theirs covers.
+  const std::array<std::array<double, 3>, 3> limits = { { { { 3, 0.09, 0.65 } },
+    { { 5, 0.045, 0.55 } }, { { 15, 0.017, 0.6 } } } };
+  for (const auto& limit : limits)
+  {
+    const int samples = static_cast<int>(limit[0]);
+    const double banded = PenumbraError(scene, stage.Render(Pass::NONE, samples));
+    const double smooth = PenumbraError(scene, stage.Render(Pass::ADAPTIVE, samples));
+    RecordProperty("banded_" + std::to_string(samples), std::to_string(banded));
+    RecordProperty("smooth_" + std::to_string(samples), std::to_string(smooth));
+    EXPECT_LT(smooth, limit[1]) << samples << " points; unfiltered " << banded;
+    EXPECT_LT(smooth, limit[2] * banded) << samples;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, BilateralClosedForm, testing::ValuesIn(ClosedFormScenes()),
+  [](const testing::TestParamInfo<NamedScene>& parameter) { return parameter.param.Name; });
+
+TEST(BilateralVisibility, UmbraAndLightStayAsTheyAre)
+{
+  const Scene scene = ClosedFormScenes().front().Make(Placement());
+  const Picture expected = ExpectedPicture(scene, Width, Height);
+  constexpr int Reach = 8; // of FULL, the widest
+  Stage stage(scene.Renderer);
+  stage.Shadows->SetFilterWidth(2 * Reach + 1);
+  stage.Shadows->SetIterations(1);
+  for (const int filter : { Pass::PAPER, Pass::FULL, Pass::ATROUS, Pass::ADAPTIVE })
+  {
+    const Picture picture = stage.Render(filter, 5);
+    int lit = 0;
+    int dark = 0;
+    double worst = 0.0;
+    for (int y = Reach; y < Height - Reach; ++y)
+    {
+      for (int x = Reach; x < Width - Reach; ++x)
+      {
+        const float value = expected.At(x, y);
+        bool isConstant = value == 0.0f || value == 1.0f;
+        for (int v = -Reach; v <= Reach && isConstant; ++v)
+        {
+          for (int u = -Reach; u <= Reach; ++u)
+          {
+            isConstant = isConstant && expected.At(x + u, y + v) == value;
+          }
+        }
+        if (isConstant)
+        {
+          ++(value > 0.5f ? lit : dark);
+          worst = std::max<double>(worst, std::abs(picture.At(x, y) - value));
+        }
+      }
+    }
+    EXPECT_LT(worst, Rounding) << "filter " << filter;
+    EXPECT_GT(lit, 100);
+    EXPECT_GT(dark, 100);
+  }
+}
+
+// Pixels whose own surface has one visibility all around keep it, whatever lies beside it.
+TEST(BilateralVisibility, NothingLeaksOverSilhouettesAndCreases)
+{
+  const auto renderer = MakeRoom(2.0);
+  Stage stage(renderer);
+  stage.Shadows->SetRangeDeviation(100.0);
+  stage.Shadows->SetFilterWidth(9);
+  stage.Shadows->SetDomainDeviation(9.0);
+  stage.Shadows->SetMaximumWidth(9);
+  const Picture banded = stage.Render(Pass::NONE, 2);
+  const std::vector<int> surfaces =
+    RoomSurfaces(renderer, PictureOf(stage.Shadows->GetDepthImage()));
+  for (const int filter : { Pass::PAPER, Pass::FULL, Pass::ADAPTIVE })
+  {
+    const Picture picture = stage.Render(filter, 2);
+    constexpr int Reach = 9;
+    int tested = 0;
+    double worst = 0.0;
+    for (int y = Reach; y < Height - Reach; ++y)
+    {
+      for (int x = Reach; x < Width - Reach; ++x)
+      {
+        const size_t center = static_cast<size_t>(y) * Width + x;
+        bool isConstant = surfaces[center] >= 0;
+        bool hasOther = false;
+        for (int v = -Reach; v <= Reach && isConstant; ++v)
+        {
+          for (int u = -Reach; u <= Reach; ++u)
+          {
+            const size_t tap = center + static_cast<size_t>(v) * Width + u;
+            const bool differs = std::abs(banded.Values[tap] - banded.Values[center]) > 0.2;
+            isConstant = isConstant && (surfaces[tap] != surfaces[center] || !differs);
+            hasOther = hasOther || (surfaces[tap] != surfaces[center] && differs);
+          }
+        }
+        if (isConstant && hasOther)
+        {
+          ++tested;
+          worst = std::max<double>(worst, std::abs(picture.At(x, y) - banded.At(x, y)));
+        }
+      }
+    }
+    EXPECT_GT(tested, 200) << "filter " << filter;
+    EXPECT_LT(worst, Grey) << "filter " << filter;
+  }
+}
+
+TEST(BilateralVisibility, TheOrderOfTheStepsHardlyMatters)
+{
+  const auto renderer = MakeRoom(2.0);
+  Stage stage(renderer);
+  for (const int filter : { Pass::PAPER, Pass::ATROUS, Pass::ADAPTIVE })
+  {
+    stage.Shadows->SecondAxisFirstOff();
+    const Picture first = stage.Render(filter, 5);
+    stage.Shadows->SecondAxisFirstOn();
+    const Picture second = stage.Render(filter, 5);
+    EXPECT_LT(RootMeanSquare(first, second), 0.01) << "filter " << filter;
+    EXPECT_GT(RootMeanSquare(first, second), 0.0) << "filter " << filter;
+  }
+}
+
+// Two boards at different heights: where the lower one hides the whole lamp, the other's penumbra
+// brings no light.
+TEST(BilateralVisibility, OverlappingBlockersBleedNoLight)
+{
+  auto renderer = MakeRoom(0.6);
+  AddQuad(renderer, { { -3.0, -3.0, 2.5 } }, { { 2.9, 0, 0 } }, { { 0, 4, 0 } });
+  Stage stage(renderer);
+  const Picture picture = stage.Render(Pass::ADAPTIVE, 5);
+  const std::vector<int> surfaces =
+    RoomSurfaces(renderer, PictureOf(stage.Shadows->GetDepthImage()));
+  const std::vector<Point> points =
+    PlanePositions(renderer, Width, Height, { { { 0, 0, 0 } }, { { 0, 0, 1 } } });
+  int tested = 0;
+  for (size_t i = 0; i < points.size(); ++i)
+  {
+    // Well inside the umbra of the lower board, whose shadow is 6 / 5.2 as large as itself.
+    if (surfaces[i] == 0 && std::abs(points[i][0]) < 0.95 && points[i][1] > -1.45 &&
+      points[i][1] < 0.5)
+    {
+      ++tested;
+      EXPECT_NEAR(picture.Values[i], 0.0, Grey) << points[i][0] << " " << points[i][1];
+    }
+  }
+  EXPECT_GT(tested, 100);
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBilateralScreen.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowsOpenGL.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+vtkBilateralScreen::vtkBilateralScreen() = default;
+
+//------------------------------------------------------------------------------
+vtkBilateralScreen::~vtkBilateralScreen() = default;
+
+//------------------------------------------------------------------------------
+bool vtkBilateralScreen::Begin(
+  vtkOpenGLRenderWindow* window, TextureName texture, int width, int height, unsigned int marks)
+{
+  if (!this->Textures[texture]->Allocate(window, vtkShadowTextureArray::RGBA32F, width, height, 1))
+  {
+    return false;
+  }
+  if (!this->Framebuffer)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, marks);
+  this->Textures[texture]->AttachLayer(0);
+  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  state->vtkglViewport(0, 0, width, height);
+  const float none[4] = { -1.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, none);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkBilateralScreen::GetBytes() const
+{
+  vtkTypeInt64 bytes = 0;
+  for (const auto& texture : this->Textures)
+  {
+    bytes += texture->GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkBilateralScreen::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (const auto& texture : this->Textures)
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  if (this->Framebuffer)
+  {
+    glDeleteFramebuffers(1, &this->Framebuffer);
+    this->Framebuffer = 0;
+  }
+}
+VTK_ABI_NAMESPACE_END
