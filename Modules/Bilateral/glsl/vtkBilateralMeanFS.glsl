@@ -31,7 +31,7 @@ void main()
     }
     facing += sampleWeights[i];
     float depth = mapDepth(point.std.xy, firstLayer + float(i));
-    if (depth >= receiverDepth(point, point.std.xy))
+    if (!isBlocker(point, point.std.xy, depth))
     {
       visibility += sampleWeights[i];
       continue;

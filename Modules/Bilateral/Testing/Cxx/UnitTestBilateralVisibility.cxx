@@ -94,7 +94,7 @@ double PenumbraError(const Scene& scene, const Picture& picture)
 
 void AddQuad(vtkRenderer* renderer, const Point& origin, const Point& edge1, const Point& edge2)
 {
-  renderer->AddActor(MakeQuadActor({ origin, edge1, edge2 }));
+  renderer->AddActor(MakeQuadActor({ { origin, edge1, edge2 } }));
 }
 
 // A floor and a wall that stands on it, a board above them, and a lamp of the size given.
