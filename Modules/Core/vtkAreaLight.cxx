@@ -69,7 +69,8 @@ void vtkAreaLight::GetTransformedAxes(
   }
   vtkMath::Normalize(up);
   vtkMath::Cross(direction, up, widthAxis);
-  if (vtkMath::Norm(widthAxis) < 1e-6) // no up, or one along the direction
+  // No up, one along the direction, or one that is not finite (the norm is not a number then).
+  if (!(vtkMath::Norm(widthAxis) >= 1e-6))
   {
     int least = 0;
     for (int axis = 1; axis < 3; ++axis)
@@ -97,13 +98,10 @@ void vtkAreaLight::CopyExtent(vtkAreaLight* light)
 //------------------------------------------------------------------------------
 vtkLight* vtkAreaLight::ShallowClone()
 {
+  // Not the superclass's clone, which lacks the shadow attenuation and the information keys.
   vtkAreaLight* clone = vtkAreaLight::New();
-  vtkLight* base = this->Superclass::ShallowClone();
-  clone->Superclass::DeepCopy(base);
-  // The superclass shares the transform between a light and its shallow clone.
-  clone->SetTransformMatrix(base->GetTransformMatrix());
-  base->Delete();
-  clone->CopyExtent(this);
+  clone->DeepCopy(this);
+  clone->SetTransformMatrix(this->TransformMatrix);
   return clone;
 }
 

@@ -71,7 +71,8 @@ public:
   /**
    * Up direction of the light's plane, in the coordinates of the light's position (world
    * coordinates for a scene light). The null vector, the default, takes the axis least aligned with
-   * the light's direction (x before y before z among equals); so does a vector along the direction.
+   * the light's direction (x before y before z among equals); so does a vector along the direction
+   * or one that is not finite.
    */
   vtkSetVector3Macro(ViewUp, double);
   vtkGetVector3Macro(ViewUp, double);
@@ -96,7 +97,8 @@ public:
 
   ///@{
   /**
-   * Copy of all parameters. ShallowClone returns a vtkAreaLight that the caller owns.
+   * Copy of all parameters. A plain light has no extent to copy: the own one stays. ShallowClone
+   * returns a vtkAreaLight that the caller owns and that shares the transform.
    */
   vtkLight* ShallowClone() override;
   void DeepCopy(vtkLight* light);
