@@ -125,6 +125,11 @@ bool vtkShadowEmitter::FromLight(vtkLight* light, vtkShadowEmitter& emitter, std
     }
   }
   emitter.Directional = !light->GetPositional();
+  if (!emitter.Directional && std::isnan(light->GetConeAngle()))
+  {
+    reason = "its cone angle is not a number";
+    return false;
+  }
   ReadExtent(light, emitter);
   emitter.ConeAngle =
     emitter.Directional ? 90.0 : std::min(std::max(light->GetConeAngle(), 0.0), 90.0);
