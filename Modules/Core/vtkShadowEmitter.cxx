@@ -100,8 +100,10 @@ CellMoments IntegrateCell(bool disk, bool gaussian, const double low[2], const d
   for (int axis = 0; axis < 2 && area > 0.0; ++axis)
   {
     moments.Mean[axis] /= area;
+    // A midpoint stands for a small rectangle with a variance of its own; so rectangles are exact.
+    const double own = step[axis] * step[axis] / (12.0 * samples * samples);
     moments.Variance[axis] =
-      moments.Variance[axis] / area - moments.Mean[axis] * moments.Mean[axis];
+      moments.Variance[axis] / area + own - moments.Mean[axis] * moments.Mean[axis];
   }
   return moments;
 }
