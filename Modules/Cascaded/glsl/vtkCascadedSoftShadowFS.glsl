@@ -1,4 +1,10 @@
 //VTK::System::Dec
+#ifdef GL_ARB_texture_gather
+#extension GL_ARB_texture_gather : enable
+#ifndef SOFT_SHADOW_NO_GATHER
+#define SOFT_SHADOW_GATHER
+#endif
+#endif
 //VTK::Output::Dec
 
 // A cascade's part of the visibility: hard shadows from points of the light, weighted by how much

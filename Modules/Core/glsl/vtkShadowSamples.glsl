@@ -1,11 +1,34 @@
 // Hard shadows from points of the light: a depth map each, in the layers from firstLayer on.
-// Needs vtkShadowDepthMap.
+// Needs vtkShadowDepthMap. With SOFT_SHADOW_GATHER defined, and textureGather at hand, four texels
+// are read at a time.
 
 uniform mat4 viewToMaps[SOFT_SHADOW_SAMPLES_PER_DRAW];
 uniform float sampleWeights[SOFT_SHADOW_SAMPLES_PER_DRAW];
 uniform int sampleCount;
 uniform float firstLayer;
 uniform int filterSize; // edge of the percentage-closer filter in texels; 1: a single tap
+
+// How much of texel i of the box lies inside it, along one axis; cut is what its border cuts off the
+// first one.
+float insideShare(int i, float cut)
+{
+  return i == 0 ? 1.0 - cut : (i < filterSize ? 1.0 : (i == filterSize ? cut : 0.0));
+}
+
+#ifdef SOFT_SHADOW_GATHER
+// The four texels around a corner of texels, as textureGather returns them.
+vec4 litTexels(MapPoint point, vec2 corner, float layer)
+{
+  vec4 depths = textureGather(depthMaps, vec3(corner / depthMapSize, layer));
+  depths = mix(vec4(infinitelyFar), depths, lessThan(depths, vec4(emptyDepth)));
+  // receiverDepth at the four centres.
+  float middle = planeDepth(point, corner / depthMapSize) - point.bias;
+  vec2 reach = 0.5 / depthMapSize * point.gradient;
+  vec4 planes = middle + vec4(reach.y - reach.x, reach.y + reach.x, reach.x - reach.y, -reach.x - reach.y);
+  vec4 receiver = min(planes, vec4(point.std.z));
+  return vec4(greaterThanEqual(depths, receiver));
+}
+#endif
 
 // The share of the box of filterSize x filterSize texels around the receiver that does not block
 // it. Texels that the box's border cuts count by the part inside, so it is continuous.
@@ -19,17 +42,29 @@ float hardVisibility(MapPoint point, float layer)
   vec2 texel = floor(low);
   vec2 cut = low - texel;
   float lit = 0.0;
+#ifdef SOFT_SHADOW_GATHER
+  for (int y = 0; y <= filterSize; y += 2)
+  {
+    vec2 rows = vec2(insideShare(y, cut.y), insideShare(y + 1, cut.y));
+    for (int x = 0; x <= filterSize; x += 2)
+    {
+      vec2 columns = vec2(insideShare(x, cut.x), insideShare(x + 1, cut.x));
+      vec4 texels = litTexels(point, texel + vec2(x, y) + 1.0, layer);
+      lit += dot(texels, vec4(columns * rows.y, columns.yx * rows.x));
+    }
+  }
+#else
   for (int y = 0; y <= filterSize; ++y)
   {
     float row = 0.0;
     for (int x = 0; x <= filterSize; ++x)
     {
       vec2 st = (texel + vec2(x, y) + 0.5) / depthMapSize;
-      float inside = x == 0 ? 1.0 - cut.x : (x == filterSize ? cut.x : 1.0);
-      row += isBlocked(point, st, layer) ? 0.0 : inside;
+      row += isBlocked(point, st, layer) ? 0.0 : insideShare(x, cut.x);
     }
-    lit += row * (y == 0 ? 1.0 - cut.y : (y == filterSize ? cut.y : 1.0));
+    lit += row * insideShare(y, cut.y);
   }
+#endif
   return lit / float(filterSize * filterSize);
 }
 
