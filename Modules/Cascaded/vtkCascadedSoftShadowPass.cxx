@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCascadedSoftShadowPass.h"
 
-#include "vtkCascadedSoftShadowMaps.h"
+#include "vtkCascadedSoftShadowPassInternals.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -10,69 +10,22 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCascadeWindow.h"
-#include "vtkShadowCascades.h"
 #include "vtkShadowCasters.h"
-#include "vtkShadowReceivers.h"
-#include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 
-#include "vtkCascadedSoftShadowFS.h"
-#include "vtkCascadedTintFS.h"
-
 #include <algorithm>
-#include <map>
-#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkCascadedSoftShadowPass);
 
 namespace
 {
-// One emitter's points and their maps.
-struct EmitterMaps
-{
-  vtkShadowEmitter Emitter;
-  vtkMTimeType BodiesTime = 0;
-  vtkMTimeType SettingsTime = 0;
-  /// The fits of k x k points over all effective casters, by k: the same for every camera.
-  std::map<int, vtkSoftShadowSamples> Fits;
-  vtkCascadedSoftShadowMaps Maps;
-};
+// Of the viewport: what so few pixels need is not worth another level's maps.
+constexpr double FewPixels = 5e-4;
 
-void SetFade(vtkShaderProgram* program, const vtkShadowCascades::Cascade& cascade)
-{
-  const float fadeIn[2] = { static_cast<float>(cascade.FadeIn.first),
-    static_cast<float>(cascade.FadeIn.second) };
-  const float fadeOut[2] = { static_cast<float>(cascade.FadeOut.first),
-    static_cast<float>(cascade.FadeOut.second) };
-  program->SetUniform2f("fadeIn", fadeIn);
-  program->SetUniform2f("fadeOut", fadeOut);
-}
-
-} // namespace
-
-class vtkCascadedSoftShadowPass::Internals
-{
-public:
-  std::map<std::pair<int, int>, EmitterMaps> Emitters; // by light and part
-  std::vector<vtkShadowCascades::Cascade> Cascades;
-  vtkShadowShader Shader{ vtkCascadedSoftShadowFS };
-  vtkShadowShader TintShader{ vtkCascadedTintFS };
-  vtkShadowReceivers* Receivers = nullptr; // the base class's
-
-  void DrawCascade(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
-    vtkCascadedSoftShadowMaps& maps, size_t cascade);
-  static vtkCascadedSoftShadowMaps::Run Bake(vtkCascadedSoftShadowPass* self,
-    const vtkSoftShadowContext& context, vtkCascadedSoftShadowMaps& maps, size_t set, size_t first);
-
-  /// Cuts the fits to a cascade: points that see no caster in front of it need no map.
-  static vtkSoftShadowSamples Cut(const vtkSoftShadowSamples& fits,
-    const vtkShadowCascades::Cascade& cascade, int mapSize, int filterSize);
-};
-
-//------------------------------------------------------------------------------
-vtkSoftShadowSamples vtkCascadedSoftShadowPass::Internals::Cut(const vtkSoftShadowSamples& fits,
+// Cuts the fits to a cascade: points that see no caster in front of it need no map.
+vtkSoftShadowSamples Cut(const vtkSoftShadowSamples& fits,
   const vtkShadowCascades::Cascade& cascade, int mapSize, int filterSize)
 {
   vtkSoftShadowSamples samples;
@@ -92,6 +45,47 @@ vtkSoftShadowSamples vtkCascadedSoftShadowPass::Internals::Cut(const vtkSoftShad
     }
   }
   return samples;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::Internals::SetFade(
+  vtkShaderProgram* program, const vtkShadowCascades::Cascade& cascade)
+{
+  const float fadeIn[2] = { static_cast<float>(cascade.FadeIn.first),
+    static_cast<float>(cascade.FadeIn.second) };
+  const float fadeOut[2] = { static_cast<float>(cascade.FadeOut.first),
+    static_cast<float>(cascade.FadeOut.second) };
+  program->SetUniform2f("fadeIn", fadeIn);
+  program->SetUniform2f("fadeOut", fadeOut);
+}
+
+//------------------------------------------------------------------------------
+const vtkSoftShadowSamples& vtkCascadedSoftShadowPass::Internals::FitGrid(
+  vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, EmitterMaps& emitter, int k)
+{
+  const auto fit = emitter.Fits.find(k);
+  if (fit != emitter.Fits.end())
+  {
+    return fit->second;
+  }
+  return emitter.Fits[k] = self->FitSamples(context,
+           vtkShadowLightSampling::Generate(context.Emitter, k * k, self->Pattern, self->Weights));
+}
+
+//------------------------------------------------------------------------------
+const vtkSoftShadowSamples& vtkCascadedSoftShadowPass::Internals::FitLevel(
+  vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, EmitterMaps& emitter,
+  int level)
+{
+  const auto fit = emitter.Fits.find(-level);
+  if (fit != emitter.Fits.end())
+  {
+    return fit->second;
+  }
+  return emitter.Fits[-level] = self->FitSamples(
+           context, vtkShadowBorderGrid::Make(context.Emitter, level, self->Weights).Added);
 }
 
 //------------------------------------------------------------------------------
@@ -187,7 +181,7 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
   impl.Cascades = vtkShadowCascades::Find(context.Casters->GetBodies(),
     vtkShadowCascades::View::Of(context.Renderer), this->NumberOfCascades, this->SplitLambda,
     this->BlendBand);
-  EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
+  Internals::EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
   if (emitter.Emitter != context.Emitter || emitter.SettingsTime != this->GetMTime() ||
     emitter.BodiesTime != context.Casters->GetBodiesTime())
   {
@@ -197,24 +191,100 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
     emitter.Fits.clear();
   }
   emitter.Maps.Begin(this->MapSize);
+  std::vector<std::vector<size_t>> sets; // per cascade
   for (size_t i = 0; i < impl.Cascades.size(); ++i)
   {
-    const int edge = this->SampleEdges[i];
-    if (emitter.Fits.count(edge) == 0)
+    sets.push_back(this->AddSets(context, i));
+  }
+  for (size_t i = 0; i < impl.Cascades.size(); ++i)
+  {
+    if (this->Adaptive)
     {
-      emitter.Fits[edge] = vtkSoftShadowPass::FitSamples(context,
-        vtkShadowLightSampling::Generate(
-          context.Emitter, edge * edge, this->Pattern, this->Weights));
+      impl.Refiner.Draw(this, context, emitter.Maps, sets[i], impl.Cascades[i], emitter.Plans[i]);
     }
-    const int resolution = this->Resolutions[i];
-    emitter.Maps.Add(resolution, this->FilterSizes[i],
-      Internals::Cut(emitter.Fits[edge], impl.Cascades[i], emitter.Maps.GetMapSize(resolution),
-        this->FilterSizes[i]));
+    else
+    {
+      impl.DrawCascade(this, context, emitter.Maps, i);
+    }
   }
-  for (size_t i = 0; i < impl.Cascades.size(); ++i)
+}
+
+//------------------------------------------------------------------------------
+std::vector<size_t> vtkCascadedSoftShadowPass::AddSets(
+  const vtkSoftShadowContext& context, size_t cascade)
+{
+  Internals& impl = *this->Impl;
+  Internals::EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
+  const int resolution = this->Resolutions[cascade];
+  const int filterSize = this->FilterSizes[cascade];
+  const auto add = [&](const vtkSoftShadowSamples& fits)
   {
-    impl.DrawCascade(this, context, emitter.Maps, i);
+    return emitter.Maps.Add(resolution, filterSize,
+      this->FitToView
+        ? Cut(fits, impl.Cascades[cascade], emitter.Maps.GetMapSize(resolution), filterSize)
+        : vtkSoftShadowSamples(fits));
+  };
+  if (!this->Adaptive)
+  {
+    return { add(impl.FitGrid(this, context, emitter, this->SampleEdges[cascade])) };
   }
+  const int largest = context.Emitter.HasExtent() ? this->MaximumLevel : 0;
+  Refinement::Plan& plan = emitter.Plans[cascade];
+  plan.Collect(this->GetFewPixels(), largest);
+  std::vector<size_t> sets;
+  for (int level = 0; level <= plan.GetLastLevel(largest); ++level)
+  {
+    sets.push_back(add(impl.FitLevel(this, context, emitter, level)));
+  }
+  return sets;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCascadedSoftShadowPass::GetFewPixels() const
+{
+  vtkShadowReceivers* receivers = this->Impl->Receivers;
+  return receivers
+    ? static_cast<vtkTypeInt64>(FewPixels * receivers->GetWidth() * receivers->GetHeight())
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkCascadedSoftShadowPass::WantsVisibilityAnew()
+{
+  if (!this->Adaptive)
+  {
+    return false;
+  }
+  bool anew = false;
+  for (auto& emitter : this->Impl->Emitters)
+  {
+    for (Refinement::Plan& plan : emitter.second.Plans)
+    {
+      anew = plan.Collect(this->GetFewPixels(), this->MaximumLevel) || anew;
+    }
+  }
+  return anew;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCascadedSoftShadowPass::GetNumberOfPixelSamples()
+{
+  vtkTypeInt64 samples = 0;
+  for (auto& emitter : this->Impl->Emitters)
+  {
+    for (Refinement::Plan& plan : emitter.second.Plans)
+    {
+      plan.Collect(this->GetFewPixels(), this->MaximumLevel);
+      vtkTypeInt64 before = 0;
+      for (int level = 0; level <= vtkShadowBorderGrid::LargestLevel; ++level)
+      {
+        const vtkTypeInt64 edge = (1 << level) + 1;
+        samples += plan.Counts[level] * (edge * edge - before);
+        before = edge * edge;
+      }
+    }
+  }
+  return samples;
 }
 
 //------------------------------------------------------------------------------
@@ -240,7 +310,7 @@ void vtkCascadedSoftShadowPass::Internals::DrawCascade(vtkCascadedSoftShadowPass
       return;
     }
     vtkShaderProgram* program = this->Shader.GetProgram();
-    SetFade(program, this->Cascades[cascade]);
+    Internals::SetFade(program, this->Cascades[cascade]);
     program->SetUniformf("litWeight", litWeight);
     litWeight = 0.0f; // once
     self->SetReceiverUniforms(program, context);
@@ -333,7 +403,7 @@ vtkTypeInt64 vtkCascadedSoftShadowPass::GetTechniqueBytes()
   {
     bytes += emitter.second.Maps.GetBytes();
   }
-  return bytes;
+  return bytes + this->Impl->Refiner.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -350,7 +420,8 @@ vtkTypeInt64 vtkCascadedSoftShadowPass::GetTechniqueDrawCalls()
 //------------------------------------------------------------------------------
 int vtkCascadedSoftShadowPass::GetTechniqueShaderBuilds()
 {
-  return this->Impl->Shader.GetNumberOfBuilds() + this->Impl->TintShader.GetNumberOfBuilds();
+  return this->Impl->Shader.GetNumberOfBuilds() + this->Impl->TintShader.GetNumberOfBuilds() +
+    this->Impl->Refiner.GetNumberOfBuilds();
 }
 
 //------------------------------------------------------------------------------
@@ -362,7 +433,12 @@ void vtkCascadedSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   for (auto& emitter : this->Impl->Emitters)
   {
     emitter.second.Maps.ReleaseGraphicsResources(window);
+    for (Refinement::Plan& plan : emitter.second.Plans)
+    {
+      plan.ReleaseGraphicsResources();
+    }
   }
+  this->Impl->Refiner.ReleaseGraphicsResources(window);
   this->Impl->Emitters.clear();
   this->Impl->Cascades.clear();
   this->Impl->Receivers = nullptr;
@@ -385,6 +461,10 @@ void vtkCascadedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "Pattern: " << patterns[this->Pattern] << "\n";
   os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
+  os << indent << "FitToView: " << (this->FitToView ? "on" : "off") << "\n";
+  os << indent << "Adaptive: " << (this->Adaptive ? "on" : "off") << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "Tint: " << (this->Tint ? "on" : "off") << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -37,6 +37,7 @@
 
 #include <array>  // For settings
 #include <memory> // For the implementation
+#include <vector> // For sets
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -131,6 +132,46 @@ public:
 
   ///@{
   /**
+   * Samples the light as finely as each pixel needs: from the light's four corners on to grids of
+   * 9, 25 and 81 points, border included, while the visibility changes by more than Tolerance. The
+   * settings of points (edges, pattern) are ignored. Features that all points of a grid miss are
+   * missed. Default is off.
+   */
+  vtkSetMacro(Adaptive, bool);
+  vtkGetMacro(Adaptive, bool);
+  vtkBooleanMacro(Adaptive, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The largest change of a pixel's visibility from one grid to the next that counts as settled, in
+   * [0, 1]. A straight edge along the grid changes it by 1/4, 1/8, 1/16 on the three finer grids, and
+   * that is also the largest error left. Default is 1/8.
+   */
+  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The finest grid of adaptive sampling, in [0, 3]: 4, 9, 25, 81 points. Default is 3.
+   */
+  vtkSetClampMacro(MaximumLevel, int, 0, 3);
+  vtkGetMacro(MaximumLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Cut the maps to what each cascade sees. Off, every map covers all casters, whatever the camera
+   * sees. Default is on.
+   */
+  vtkSetMacro(FitToView, bool);
+  vtkGetMacro(FitToView, bool);
+  vtkBooleanMacro(FitToView, bool);
+  ///@}
+
+  ///@{
+  /**
    * Tints the picture by cascade, for debugging: red, green, blue, yellow, near to far. Default is
    * off.
    */
@@ -142,6 +183,12 @@ public:
   /// Cascades that had receivers when the visibility was drawn last.
   int GetNumberOfOccupiedCascades() const;
 
+  /**
+   * With Adaptive: points looked at in all pixels together, as of the newest frame whose counts have
+   * come back.
+   */
+  vtkTypeInt64 GetNumberOfPixelSamples();
+
 protected:
   vtkCascadedSoftShadowPass();
   ~vtkCascadedSoftShadowPass() override;
@@ -150,6 +197,7 @@ protected:
   bool NeedsEmitterMap() const override { return false; }
   /// A map of the whole light is coarser than the cascades': what it proves is not their truth.
   int GetProof() const override { return PROVES_NOTHING; }
+  bool WantsVisibilityAnew() override;
   bool HasGaussianWeights() const override;
   vtkTypeInt64 GetTechniqueBytes() override;
   vtkTypeInt64 GetTechniqueDrawCalls() override;
@@ -164,16 +212,23 @@ protected:
   int Pattern = vtkShadowLightSampling::GRID;
   int Weights = vtkShadowLightSampling::MEAN;
   bool Tint = false;
+  bool Adaptive = false;
+  double Tolerance = 0.125;
+  int MaximumLevel = 3;
+  bool FitToView = true;
 
 private:
   vtkCascadedSoftShadowPass(const vtkCascadedSoftShadowPass&) = delete;
   void operator=(const vtkCascadedSoftShadowPass&) = delete;
 
   class Internals;
+  class Refinement;
   std::unique_ptr<Internals> Impl;
 
   void Change(std::array<int, MaximumNumberOfCascades>& values, int cascade, int value);
   int Read(const std::array<int, MaximumNumberOfCascades>& values, int cascade) const;
+  std::vector<size_t> AddSets(const vtkSoftShadowContext& context, size_t cascade);
+  vtkTypeInt64 GetFewPixels() const;
   void DrawTint(const vtkRenderState* s);
 };
 

@@ -46,21 +46,6 @@ int FindColumns(int count)
   return 0;
 }
 
-// [-1, 1]^2 to the unit disk, equal areas to equal areas (Shirley and Chiu 1997).
-void MapToDisk(double& u, double& v)
-{
-  if (u == 0.0 && v == 0.0)
-  {
-    return;
-  }
-  const double quarter = 0.25 * vtkMath::Pi();
-  const bool wide = std::abs(u) > std::abs(v);
-  const double radius = wide ? u : v;
-  const double angle = wide ? quarter * (v / u) : 2.0 * quarter - quarter * (u / v);
-  u = radius * std::cos(angle);
-  v = radius * std::sin(angle);
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -106,5 +91,20 @@ std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
     sample.Weight /= sum;
   }
   return samples;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowLightSampling::MapToDisk(double& u, double& v)
+{
+  if (u == 0.0 && v == 0.0)
+  {
+    return;
+  }
+  const double quarter = 0.25 * vtkMath::Pi();
+  const bool wide = std::abs(u) > std::abs(v);
+  const double radius = wide ? u : v;
+  const double angle = wide ? quarter * (v / u) : 2.0 * quarter - quarter * (u / v);
+  u = radius * std::cos(angle);
+  v = radius * std::sin(angle);
 }
 VTK_ABI_NAMESPACE_END

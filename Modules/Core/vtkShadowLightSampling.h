@@ -54,6 +54,9 @@ struct VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowLightSampling
    */
   static std::vector<Sample> Generate(
     const vtkShadowEmitter& emitter, int count, int pattern, int weights);
+
+  /// [-1, 1]^2 to the unit disk, equal areas to equal areas (Shirley and Chiu 1997).
+  static void MapToDisk(double& u, double& v);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -174,7 +174,8 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
   Internals& impl = *this->Impl;
   impl.Timers.BeginStep("casters", true);
   impl.Casters->Update(s->GetRenderer());
-  if (!this->SignatureChanged(s))
+  const bool anew = this->WantsVisibilityAnew();
+  if (!this->SignatureChanged(s) && !anew)
   {
     return;
   }

@@ -208,6 +208,12 @@ protected:
   /// Whether AddVisibility reads the pyramid of the emitter's map. Default is no.
   virtual bool NeedsPyramid() const { return false; }
 
+  /**
+   * Whether the technique would do better now although nothing changed: counts it did not wait for
+   * have come back. Asked once per frame. Default is no.
+   */
+  virtual bool WantsVisibilityAnew() { return false; }
+
   /// What the pyramid of the whole light's map may prove without changing the technique's result.
   enum ProofType
   {

@@ -3,6 +3,7 @@
 
 #include "TechniqueOptions.h"
 
+#include "vtkAdaptiveSampledSoftShadowPass.h"
 #include "vtkCascadedSoftShadowPass.h"
 #include "vtkNew.h"
 
@@ -44,6 +45,16 @@ void AddCascadeOptions(Technique& technique, int cascade)
     1, 15));
 }
 
+void AddRefinementOptions(Technique& technique, vtkCascadedSoftShadowPass* pass)
+{
+  technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(pass, Tolerance, "tolerance",
+    "change of a pixel's visibility from one grid of points to the next that counts as settled"));
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, MaximumLevel, "level", "finest grid of points: 4, 9, 25 or 81"));
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
+    pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
+}
+
 }
 
 Technique MakeCascadedTechnique()
@@ -64,10 +75,23 @@ Technique MakeCascadedTechnique()
   }
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Pattern, "pattern", "how the points are spread", { "grid", "stratified", "hammersley" }));
-  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
-    pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
+  technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, Adaptive, "adaptive",
+    "as many points as each pixel needs, instead of edges and pattern"));
+  AddRefinementOptions(technique, pass);
+  technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(
+    pass, FitToView, "fit_to_view", "cut the maps to what each cascade sees"));
   technique.Options.push_back(
     SOFTSHADOWS_FLAG_OPTION(pass, Tint, "tint", "tint the picture by cascade"));
+  return technique;
+}
+
+Technique MakeAdaptiveSampledTechnique()
+{
+  vtkNew<vtkAdaptiveSampledSoftShadowPass> owner;
+  vtkAdaptiveSampledSoftShadowPass* pass = owner;
+  Technique technique = MakeTechnique(
+    "fassalss", "hard shadows from as many points of the light as each pixel needs", pass);
+  AddRefinementOptions(technique, pass);
   return technique;
 }
 

@@ -15,6 +15,7 @@ Technique MakeCascadedTechnique();
 Technique MakeBilateralTechnique();
 Technique MakeVirtualTechnique();
 Technique MakeMarchedTechnique();
+Technique MakeAdaptiveSampledTechnique();
 
 //--------------------------------------------------------------------------------------------------
 const std::vector<Technique>& GetTechniques()
@@ -28,6 +29,7 @@ const std::vector<Technique>& GetTechniques()
     MakeBilateralTechnique(),
     MakeVirtualTechnique(),
     MakeMarchedTechnique(),
+    MakeAdaptiveSampledTechnique(),
   };
   return techniques;
 }

@@ -5,6 +5,7 @@
 #include "Scenes.h"
 
 #include "vtkActor.h"
+#include "vtkAdaptiveSampledSoftShadowPass.h"
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"
 #include "vtkCascadedSoftShadowPass.h"
@@ -56,7 +57,7 @@ public:
 
 void AddQuad(vtkRenderer* renderer, const Point& origin, const Point& edge1, const Point& edge2)
 {
-  renderer->AddActor(MakeQuadActor({ origin, edge1, edge2 }));
+  renderer->AddActor(MakeQuadActor({ { origin, edge1, edge2 } }));
 }
 
 // A sun over a ground that reaches far, and posts that stand on it: shadows in all cascades.
@@ -243,4 +244,197 @@ TEST(CascadedPass, RefusesCascadesThatDoNotExist)
   EXPECT_EQ(pass->GetMTime(), time);
   pass->SetSampleEdge(3, 99);
   EXPECT_EQ(pass->GetSampleEdge(3), 32);
+}
+
+namespace
+{
+// The mean squared second difference along the rows of a picture, over runs of three values.
+double Banding(const Picture& picture)
+{
+  std::vector<double> seconds;
+  for (int y = 0; y < picture.Height; ++y)
+  {
+    for (int x = 1; x + 1 < picture.Width; ++x)
+    {
+      const double second = picture.At(x - 1, y) - 2.0 * picture.At(x, y) + picture.At(x + 1, y);
+      if (!std::isnan(second))
+      {
+        seconds.push_back(second);
+      }
+    }
+  }
+  return RootMeanSquare(seconds);
+}
+
+} // namespace
+
+// A parallel camera that moves by whole pixels shows every point again, one pixel on: only what the
+// maps do can change the picture.
+TEST(CascadedPass, AMovingCameraDoesNotStirTheShadows)
+{
+  const auto renderer = MakeAvenue(0.5);
+  Stage stage(renderer);
+  stage.Pass->SetMapSize(256);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(2.0);
+  const double pixel = 2.0 * 2.0 / Height;
+  const auto render = [&](int step)
+  {
+    camera->SetPosition(0.3 + pixel * step, -10.0, 8.0);
+    camera->SetFocalPoint(0.3 + pixel * step, 4.0, 0.0);
+    renderer->ResetCameraClippingRange();
+    return stage.Render();
+  };
+  Picture before = render(0);
+  const vtkTypeInt64 baked = stage.Pass->GetStatistics().MapsBaked;
+  double worst = 0.0;
+  for (int step = 1; step <= 12; ++step)
+  {
+    const Picture after = render(step);
+    std::vector<double> differences;
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 1; x < Width; ++x)
+      {
+        const double difference = before.At(x, y) - after.At(x - 1, y);
+        if (!std::isnan(difference))
+        {
+          differences.push_back(difference);
+        }
+      }
+    }
+    ASSERT_GT(differences.size(), 10000u);
+    worst = std::max(worst, RootMeanSquare(differences));
+    before = after;
+  }
+  RecordProperty("WorstRootMeanSquare", std::to_string(worst));
+  EXPECT_LT(worst, 1.0 / 255.0);
+  EXPECT_GT(stage.Pass->GetStatistics().MapsBaked, baked); // or nothing was tested
+}
+
+// Steps of a fraction of a texel keep most maps.
+TEST(CascadedPass, SnappedMapsBakeSeldom)
+{
+  const auto renderer = MakeAvenue(3.0);
+  Stage stage(renderer);
+  stage.Render();
+  const vtkTypeInt64 before = stage.Pass->GetStatistics().MapsBaked;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  for (int i = 1; i <= 10; ++i)
+  {
+    camera->SetPosition(0.3, -8.0 + 1e-3 * i, 2.5);
+    camera->SetFocalPoint(0.3, 20.0 + 1e-3 * i, 0.5);
+    stage.Render();
+  }
+  EXPECT_LT(stage.Pass->GetStatistics().MapsBaked - before, 3 * 29);
+}
+
+// More points, less banding; the number itself is published, not tested.
+TEST(CascadedPass, BandingShrinksWithThePoints)
+{
+  const Scene scene = MakeRectangleScene(Weights::Mean);
+  Stage stage(scene.Renderer);
+  const double coarse = Banding(stage.Render());
+  for (int i = 0; i < 3; ++i)
+  {
+    stage.Pass->SetSampleEdge(i, 12);
+  }
+  const double fine = Banding(stage.Render());
+  RecordProperty("Banding16", std::to_string(coarse));
+  RecordProperty("Banding144", std::to_string(fine));
+  EXPECT_LT(fine, 0.6 * coarse);
+}
+
+namespace
+{
+double ErrorOf(const Scene& scene, const Picture& visibility)
+{
+  std::vector<double> errors;
+  for (const PlanePixel& pixel : GetPlanePixels(scene, Width, Height))
+  {
+    errors.push_back(visibility.At(pixel.X, pixel.Y) - pixel.Expected);
+  }
+  return RootMeanSquare(errors);
+}
+}
+
+// It reaches its tolerance, and looks at fewer points than the uniform grid with the same error.
+TEST(AdaptiveSampledPass, ReachesItsToleranceWithFewerPoints)
+{
+  const Scene scene = MakeRectangleScene(Weights::Mean);
+  OffscreenWindow window(Width, Height);
+  window.Add(scene.Renderer);
+  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
+  UsePass(scene.Renderer, adaptive);
+  window.Render();
+  const double error = ErrorOf(scene, PictureOf(adaptive->GetVisibilityImage(0)));
+  EXPECT_LT(error, adaptive->GetTolerance());
+  const double perPixel = static_cast<double>(adaptive->GetNumberOfPixelSamples()) /
+    static_cast<double>(adaptive->GetStatistics().PixelsFiltered);
+  adaptive->ReleaseGraphicsResources(window.Get());
+
+  vtkNew<vtkCascadedSoftShadowPass> uniform;
+  uniform->SetNumberOfCascades(1);
+  uniform->SetFilterSize(0, adaptive->GetFilterSize(0));
+  UsePass(scene.Renderer, uniform);
+  int edge = 1;
+  for (; edge < 16; ++edge)
+  {
+    uniform->SetSampleEdge(0, edge);
+    window.Render();
+    if (ErrorOf(scene, PictureOf(uniform->GetVisibilityImage(0))) <= error)
+    {
+      break;
+    }
+  }
+  UsePass(scene.Renderer, nullptr);
+  uniform->ReleaseGraphicsResources(window.Get());
+  RecordProperty("Error", std::to_string(error));
+  RecordProperty("PointsPerPixel", std::to_string(perPixel));
+  RecordProperty("UniformPoints", edge * edge);
+  EXPECT_GT(perPixel, 4.0 - 1e-6);
+  EXPECT_LT(perPixel, edge * edge);
+}
+
+// A tolerance that nothing meets is the uniform grid of all 81 points.
+TEST(AdaptiveSampledPass, ZeroToleranceTakesAllPointsInThePenumbra)
+{
+  const Scene scene = MakeDiskScene();
+  OffscreenWindow window(Width, Height);
+  window.Add(scene.Renderer);
+  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
+  adaptive->SetTolerance(0.0);
+  UsePass(scene.Renderer, adaptive);
+  window.Render();
+  EXPECT_EQ(adaptive->GetStatistics().MapsBaked, 81);
+  EXPECT_LT(ErrorOf(scene, PictureOf(adaptive->GetVisibilityImage(0))), 0.02);
+  UsePass(scene.Renderer, nullptr);
+  adaptive->ReleaseGraphicsResources(window.Get());
+}
+
+// A hard light needs its one point; when the light moves on, levels that nobody needed are not
+// baked again.
+TEST(AdaptiveSampledPass, BakesTheLevelsThatWereNeeded)
+{
+  const Scene scene = MakeRectangleScene(Weights::Mean);
+  OffscreenWindow window(Width, Height);
+  window.Add(scene.Renderer);
+  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
+  adaptive->SetTolerance(0.5);
+  UsePass(scene.Renderer, adaptive);
+  window.Render();
+  window.Read(); // the counts are back
+  const vtkTypeInt64 first = adaptive->GetStatistics().MapsBaked;
+  EXPECT_EQ(first, 81);
+  double position[3];
+  scene.Light->GetPosition(position);
+  scene.Light->SetPosition(position[0] + 1e-3, position[1], position[2]);
+  window.Render();
+  EXPECT_EQ(adaptive->GetStatistics().MapsBaked - first, 9);
+  scene.Light->SetShapeToPoint();
+  window.Render();
+  EXPECT_EQ(adaptive->GetStatistics().MapsBaked - first, 10);
+  UsePass(scene.Renderer, nullptr);
+  adaptive->ReleaseGraphicsResources(window.Get());
 }

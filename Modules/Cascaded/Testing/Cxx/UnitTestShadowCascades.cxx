@@ -5,6 +5,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkShadowBorderGrid.h"
 #include "vtkShadowCascadeWindow.h"
 #include "vtkShadowCascades.h"
 
@@ -302,4 +303,87 @@ TEST(ShadowCascadeWindow, ALampsWindowHoldsTheSphere)
   view = fit;
   EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, -1.0 } }, 2.0, 1024, 3, view));
   EXPECT_TRUE(view == fit);
+}
+
+namespace
+{
+// Sums f over all points of a border grid's level, by its nested form.
+template <typename Function>
+double SumOver(const vtkShadowEmitter& emitter, int level, int weights, const Function& f)
+{
+  double sum = 0.0;
+  for (int i = 0; i <= level; ++i)
+  {
+    const vtkShadowBorderGrid grid = vtkShadowBorderGrid::Make(emitter, i, weights);
+    sum *= grid.Keep;
+    for (const vtkShadowLightSampling::Sample& sample : grid.Added)
+    {
+      sum += sample.Weight * f(sample.U, sample.V);
+    }
+  }
+  return sum;
+}
+
+vtkShadowEmitter MakeEmitter(int shape)
+{
+  vtkShadowEmitter emitter;
+  emitter.Shape = shape;
+  emitter.HalfSize = { { 0.5, 0.5 } };
+  return emitter;
+}
+}
+
+// The trapezoid rule is exact for 1, u, v and u v; its error for u^2 is 2 / 3 of the squared step.
+TEST(ShadowBorderGrid, IntegratesARectangle)
+{
+  const vtkShadowEmitter emitter = MakeEmitter(vtkShadowEmitter::RECTANGLE);
+  for (int level = 0; level <= 3; ++level)
+  {
+    const auto sum = [&](auto f) { return SumOver(emitter, level, 0, f); };
+    EXPECT_NEAR(sum([](double, double) { return 1.0; }), 1.0, 1e-12);
+    EXPECT_NEAR(sum([](double u, double) { return u; }), 0.0, 1e-12);
+    EXPECT_NEAR(sum([](double u, double v) { return (1.0 + u) * (2.0 - v); }), 2.0, 1e-12);
+    const double step = 2.0 / (1 << level);
+    EXPECT_NEAR(sum([](double u, double) { return u * u; }), 1.0 / 3.0 + step * step / 6.0, 1e-12);
+  }
+}
+
+// Equal weights, as printed in the paper, give the border too much: that is what this guards.
+TEST(ShadowBorderGrid, BorderCountsLess)
+{
+  const vtkShadowBorderGrid grid =
+    vtkShadowBorderGrid::Make(MakeEmitter(vtkShadowEmitter::RECTANGLE), 1, 0);
+  ASSERT_EQ(grid.Added.size(), 5u);
+  EXPECT_DOUBLE_EQ(grid.Keep, 0.25);
+  for (const vtkShadowLightSampling::Sample& sample : grid.Added)
+  {
+    const bool center = sample.U == 0.0 && sample.V == 0.0;
+    EXPECT_DOUBLE_EQ(sample.Weight, center ? 0.25 : 0.125);
+  }
+}
+
+TEST(ShadowBorderGrid, IntegratesADisk)
+{
+  const vtkShadowEmitter emitter = MakeEmitter(vtkShadowEmitter::DISK);
+  const auto sum = [&](auto f) { return SumOver(emitter, 3, 0, f); };
+  EXPECT_NEAR(sum([](double, double) { return 1.0; }), 1.0, 1e-12);
+  EXPECT_NEAR(sum([](double u, double) { return u; }), 0.0, 1e-12);
+  EXPECT_NEAR(sum([](double u, double) { return u * u; }), 0.25, 0.02);
+}
+
+TEST(ShadowBorderGrid, GaussianWeightsNestToo)
+{
+  const vtkShadowEmitter emitter = MakeEmitter(vtkShadowEmitter::RECTANGLE);
+  const auto sum = [&](auto f) { return SumOver(emitter, 3, vtkShadowLightSampling::GAUSSIAN, f); };
+  EXPECT_NEAR(sum([](double, double) { return 1.0; }), 1.0, 1e-12);
+  // The variance of N(0, 0.5) cut to [-1, 1].
+  EXPECT_NEAR(sum([](double u, double) { return u * u; }), 0.1934, 0.005);
+}
+
+TEST(ShadowBorderGrid, APointHasOnePoint)
+{
+  const vtkShadowEmitter point;
+  EXPECT_EQ(vtkShadowBorderGrid::Make(point, 0, 0).Added.size(), 1u);
+  EXPECT_TRUE(vtkShadowBorderGrid::Make(point, 2, 0).Added.empty());
+  EXPECT_DOUBLE_EQ(vtkShadowBorderGrid::Make(point, 2, 0).Keep, 1.0);
 }

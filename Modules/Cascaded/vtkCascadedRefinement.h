@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCascadedSoftShadowPass::Refinement
+ * @brief   Adaptive sampling of the light: finer grids of points while a pixel still changes.
+ *
+ * Per level, for the pixels of a cascade that have not settled: add the visibility from the level's
+ * new points (counted by an occlusion query), join it to what is known, and mark as settled what
+ * changed by no more than the tolerance. So every pixel takes the levels it needs, whatever the
+ * queries say. These decide how many levels, hence maps, the next frame bakes: all if nothing is
+ * known yet, else those that more than a few pixels needed when the last counts came back. Nobody
+ * waits for them.
+ */
+
+#ifndef vtkCascadedRefinement_h
+#define vtkCascadedRefinement_h
+
+#include "vtkCascadedSoftShadowMaps.h"
+#include "vtkCascadedSoftShadowPass.h"
+#include "vtkNew.h" // For members
+#include "vtkShadowBorderGrid.h"
+#include "vtkShadowCascades.h"
+#include "vtkShadowShader.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <array> // For counts
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkCascadedSoftShadowPass::Refinement
+{
+public:
+  Refinement();
+
+  /// How finely one cascade of one emitter is sampled, and what the queries said about it.
+  struct Plan
+  {
+    static constexpr int MaximumCounts = vtkShadowBorderGrid::LargestLevel + 2;
+
+    /// The last level to draw; negative: nothing is known.
+    int LastLevel = -1;
+    /// Pixels that needed each level, and that would have needed the one after the last.
+    std::array<vtkTypeInt64, MaximumCounts> Counts = { {} };
+    std::array<unsigned int, MaximumCounts> Queries = { {} };
+    int Pending = 0; // queries in flight
+
+    int GetLastLevel(int largest) const;
+    /// Reads the queries if all of them are there. Returns true if it takes more levels than drawn.
+    bool Collect(vtkTypeInt64 fewPixels, int largest);
+    void ReleaseGraphicsResources();
+  };
+
+  /// Draws sets[0] to sets[count - 1] of a cascade, the levels of its grid.
+  void Draw(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
+    vtkCascadedSoftShadowMaps& maps, const std::vector<size_t>& sets,
+    const vtkShadowCascades::Cascade& cascade, Plan& plan);
+
+  vtkTypeInt64 GetBytes() const;
+  int GetNumberOfBuilds() const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  bool Prepare(const vtkSoftShadowContext& context);
+  void Attach(const vtkSoftShadowContext& context, vtkShadowTextureArray* texture);
+  bool AddLevel(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
+    vtkCascadedSoftShadowMaps& maps, size_t set, int level,
+    const vtkShadowCascades::Cascade& cascade, unsigned int query);
+  bool Settle(const vtkSoftShadowContext& context, int level, double keep, double tolerance);
+  void CountLeft(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, int levels,
+    const vtkShadowCascades::Cascade& cascade, unsigned int query);
+
+  vtkNew<vtkShadowTextureArray> Added;
+  vtkNew<vtkShadowTextureArray> States[2]; // by turns: a level reads the one before
+  unsigned int Framebuffer = 0;
+  vtkShadowShader RefineShader;
+  vtkShadowShader SettleShader;
+  vtkShadowShader EmitShader;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCascadedSoftShadowPass::Internals
+ * @brief   What the cascaded pass keeps from frame to frame.
+ */
+
+#ifndef vtkCascadedSoftShadowPassInternals_h
+#define vtkCascadedSoftShadowPassInternals_h
+
+#include "vtkCascadedRefinement.h"
+#include "vtkCascadedSoftShadowMaps.h"
+#include "vtkCascadedSoftShadowPass.h"
+#include "vtkShadowCascades.h"
+#include "vtkShadowReceivers.h"
+#include "vtkShadowShader.h"
+
+#include "vtkCascadedSoftShadowFS.h"
+#include "vtkCascadedTintFS.h"
+
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkCascadedSoftShadowPass::Internals
+{
+public:
+  /// One emitter's points and their maps.
+  struct EmitterMaps
+  {
+    vtkShadowEmitter Emitter;
+    vtkMTimeType BodiesTime = 0;
+    vtkMTimeType SettingsTime = 0;
+    /// Fits of points over all effective casters, the same for every camera: by k the k x k points
+    /// of a grid, by -level the points that a level of refinement adds.
+    std::map<int, vtkSoftShadowSamples> Fits;
+    vtkCascadedSoftShadowMaps Maps;
+    std::array<Refinement::Plan, MaximumNumberOfCascades> Plans;
+  };
+
+  std::map<std::pair<int, int>, EmitterMaps> Emitters; // by light and part
+  std::vector<vtkShadowCascades::Cascade> Cascades;
+  vtkShadowShader Shader{ vtkCascadedSoftShadowFS };
+  vtkShadowShader TintShader{ vtkCascadedTintFS };
+  Refinement Refiner;
+  vtkShadowReceivers* Receivers = nullptr; // the base class's
+
+  const vtkSoftShadowSamples& FitGrid(vtkCascadedSoftShadowPass* self,
+    const vtkSoftShadowContext& context, EmitterMaps& emitter, int k);
+  const vtkSoftShadowSamples& FitLevel(vtkCascadedSoftShadowPass* self,
+    const vtkSoftShadowContext& context, EmitterMaps& emitter, int level);
+
+  /// Draws a cascade whose points are one set.
+  void DrawCascade(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
+    vtkCascadedSoftShadowMaps& maps, size_t cascade);
+
+  /// Bakes and counts what it takes to draw a set from its sample first on.
+  static vtkCascadedSoftShadowMaps::Run Bake(vtkCascadedSoftShadowPass* self,
+    const vtkSoftShadowContext& context, vtkCascadedSoftShadowMaps& maps, size_t set, size_t first);
+
+  static void SetFade(vtkShaderProgram* program, const vtkShadowCascades::Cascade& cascade);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
