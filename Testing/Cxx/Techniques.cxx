@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Techniques.h"
 
+#include "vtkAdaptiveSampledSoftShadowPass.h"
+#include "vtkCascadedSoftShadowPass.h"
 #include "vtkMarchedSoftShadowPass.h"
 #include "vtkPercentageCloserSoftShadowPass.h"
 #include "vtkSampledSoftShadowPass.h"
@@ -85,6 +87,35 @@ vtkSmartPointer<vtkSoftShadowPass> MakeSeparable(Effort effort, Weights weights)
   return pass;
 }
 
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkSoftShadowPass> MakeCascaded(Effort effort, Weights weights)
+{
+  auto pass = vtkSmartPointer<vtkCascadedSoftShadowPass>::New();
+  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
+  pass->SetWeights(
+    weights == Weights::Gaussian ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN);
+  for (int i = 0; i < vtkCascadedSoftShadowPass::MaximumNumberOfCascades; ++i)
+  {
+    pass->SetSampleEdge(i, effort == Effort::Accurate ? 16 : 4);
+    pass->SetResolution(i, vtkCascadedSoftShadowPass::HIGH);
+    pass->SetFilterSize(i, 1);
+  }
+  return pass;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkSoftShadowPass> MakeAdaptiveSampled(Effort effort, Weights weights)
+{
+  auto pass = vtkSmartPointer<vtkAdaptiveSampledSoftShadowPass>::New();
+  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
+  pass->SetWeights(
+    weights == Weights::Gaussian ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN);
+  pass->SetFilterSize(0, 1);
+  pass->SetTolerance(effort == Effort::Accurate ? 0.0 : 0.125);
+  pass->SetMaximumLevel(effort == Effort::Accurate ? 3 : 2);
+  return pass;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +126,8 @@ const std::vector<Technique>& AllTechniques()
     { "PercentageCloser", MakePercentageCloser, 0.015, 0.03, 1.0 / 11.0 },
     { "Marched", MakeMarched, 0.015, 0.03, 1.0 / 8.0 },
     { "Separable", MakeSeparable, 0.015, 0.03, 1.0 / 11.0, 0.002 },
+    { "Cascaded", MakeCascaded, 0.01, 0.03, 1.0 / 16.0 },
+    { "AdaptiveSampled", MakeAdaptiveSampled, 0.02, 0.03, 1.0 / 16.0 },
   };
   return techniques;
 }
