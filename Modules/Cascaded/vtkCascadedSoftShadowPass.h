@@ -196,7 +196,8 @@ protected:
   void AddVisibility(const vtkSoftShadowContext& context) override;
   bool NeedsEmitterMap() const override { return false; }
   /// A map of the whole light is coarser than the cascades': what it proves is not their truth.
-  int GetProof() const override { return PROVES_NOTHING; }
+  int GetProof() const override { return PROVES_LIT; }
+  bool NeedsConservativeMaps() const override { return true; }
   bool WantsVisibilityAnew() override;
   bool HasGaussianWeights() const override;
   vtkTypeInt64 GetTechniqueBytes() override;

@@ -50,7 +50,9 @@ bool CutEdge(const Range& range, int resolution, int border, double& low, double
 {
   const double fitted = high - low;
   const double wanted = (range.High - range.Low) / (1.0 - 2.0 * (border + 1.0) / resolution);
-  const double edge = std::exp2(std::ceil(StepsPerOctave * std::log2(wanted)) / StepsPerOctave);
+  // In steps from the fit's own edge, so that neither the scene's scale nor its place matters.
+  const double steps = std::floor(StepsPerOctave * std::log2(fitted / wanted));
+  const double edge = fitted * std::exp2(-std::max(steps, 0.0) / StepsPerOctave);
   const double texel = edge / resolution;
   if (range.Low - border * texel > high || range.High + border * texel < low)
   {
@@ -60,13 +62,13 @@ bool CutEdge(const Range& range, int resolution, int border, double& low, double
   {
     return true;
   }
-  // The first texel of the window, in a grid through the light's axis.
+  // The first texel of the window, in a grid from the fit's edge on.
   const double middle = 0.5 * (range.Low + range.High);
+  const double last = std::ceil(fitted / texel) - resolution;
   const double first =
-    std::min(std::max(std::floor(middle / texel) - resolution / 2, std::floor(low / texel)),
-      std::ceil(high / texel) - resolution);
-  low = first * texel;
-  high = (first + resolution) * texel;
+    std::min(std::max(std::floor((middle - low) / texel) - resolution / 2, 0.0), last);
+  low += first * texel;
+  high = low + edge;
   return true;
 }
 

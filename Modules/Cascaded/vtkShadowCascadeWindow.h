@@ -10,8 +10,8 @@
  * penumbra lies between the samples, each of which has a window of its own. Depths stay those of the
  * fit, so every caster between the receivers and the light is in the map.
  *
- * The window's edge is rounded up to a quarter of an octave and its place to whole texels of a grid
- * that does not move with the camera; where the fit is smaller than the sphere it is the fit
+ * The window's edge is rounded up, in steps of a quarter of an octave from the fit's, and its place
+ * to whole texels of a grid that does not move with the camera; where the fit is smaller than the sphere it is the fit
  * itself. So a moving camera keeps the map as it is, or moves it by whole texels.
  */
 

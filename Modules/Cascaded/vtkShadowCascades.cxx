@@ -85,6 +85,24 @@ void FitSphere(const vtkShadowFrustumClip& frustum, Cascade& cascade)
   }
 }
 
+// The diagonal of the box around all bodies.
+double FindSize(const std::vector<vtkShadowCasters::Body>& bodies)
+{
+  double squares = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double low = bodies.front().Bounds[2 * axis];
+    double high = bodies.front().Bounds[2 * axis + 1];
+    for (const vtkShadowCasters::Body& body : bodies)
+    {
+      low = std::min(low, body.Bounds[2 * axis]);
+      high = std::max(high, body.Bounds[2 * axis + 1]);
+    }
+    squares += (high - low) * (high - low);
+  }
+  return squares > 0.0 ? std::sqrt(squares) : 1.0;
+}
+
 // Half the width of the band around each inner split; 0 at the ends.
 std::vector<double> FindHalfBands(const std::vector<double>& splits, double band)
 {
@@ -154,7 +172,7 @@ std::vector<Interval> vtkShadowCascades::FindDepths(
 }
 
 //------------------------------------------------------------------------------
-Interval vtkShadowCascades::Round(const std::vector<Interval>& depths, bool parallel)
+Interval vtkShadowCascades::Round(const std::vector<Interval>& depths, bool parallel, double unit)
 {
   Interval range = depths.front();
   for (const Interval& interval : depths)
@@ -170,9 +188,9 @@ Interval vtkShadowCascades::Round(const std::vector<Interval>& depths, bool para
       length > 0.0 ? std::exp2(std::floor(std::log2(length / ParallelSteps))) : 1.0;
     return { step * std::floor(range.first / step), step * std::ceil(range.second / step) };
   }
-  const auto octaves = [](double depth) { return StepsPerOctave * std::log2(depth); };
-  return { std::exp2(std::floor(octaves(range.first)) / StepsPerOctave),
-    std::exp2(std::ceil(octaves(range.second)) / StepsPerOctave) };
+  const auto steps = [unit](double depth) { return StepsPerOctave * std::log2(depth / unit); };
+  return { unit * std::exp2(std::floor(steps(range.first)) / StepsPerOctave),
+    unit * std::exp2(std::ceil(steps(range.second)) / StepsPerOctave) };
 }
 
 //------------------------------------------------------------------------------
@@ -190,7 +208,7 @@ std::vector<Cascade> vtkShadowCascades::Find(const std::vector<vtkShadowCasters:
   }
   else
   {
-    const Interval range = vtkShadowCascades::Round(depths, view.Parallel);
+    const Interval range = vtkShadowCascades::Round(depths, view.Parallel, FindSize(bodies));
     const bool uniform = view.Parallel || range.first <= 0.0;
     const std::vector<double> splits =
       vtkShadowCascades::Split(range.first, range.second, count, uniform ? 0.0 : lambda);

@@ -9,7 +9,7 @@
  * depths. The range is bounded by clipping the receivers' boxes to the camera's frustum: exact for
  * planes, a bound for others, and known before anything is drawn, so that nothing waits for the GPU
  * and a picture does not depend on the frames before it. Its ends are rounded to quarters of an
- * octave: a moving camera changes the splits at a few places only.
+ * octave of the scene's size: a moving camera changes the splits at a few places only.
  *
  * A part in which no receiver can be is no cascade. Its neighbours share its depths, so that every
  * depth has its cascades and their weights sum to 1.
@@ -66,8 +66,9 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascades
   static std::vector<Interval> FindDepths(
     const std::vector<vtkShadowCasters::Body>& bodies, const View& view);
 
-  /// A range that holds all intervals, its ends rounded away from each other.
-  static Interval Round(const std::vector<Interval>& depths, bool parallel);
+  /// A range that holds all intervals, its ends rounded away from each other, in steps of quarters
+  /// of an octave from unit.
+  static Interval Round(const std::vector<Interval>& depths, bool parallel, double unit);
 
   /**
    * The occupied cascades, near to far: at most count, at least one. band is the part of the

@@ -240,14 +240,14 @@ TEST(ShadowCascadeWindow, MovesByWholeTexels)
     const double size = view.Window[1] - view.Window[0];
     if (step > 0)
     {
-      ASSERT_DOUBLE_EQ(size, edge);
+      ASSERT_NEAR(size, edge, 1e-10);
     }
     edge = size;
     const double texel = size / resolution;
     EXPECT_LE(size, 14.0 * std::exp2(0.25) * 1.05);
     for (const int i : { 0, 2 })
     {
-      const double cells = view.Window[i] / texel;
+      const double cells = (view.Window[i] + 500.0) / texel;
       ASSERT_NEAR(cells, std::round(cells), 1e-6);
       const double* axis = i == 0 ? view.Emitter.AxisU.data() : view.Emitter.AxisV.data();
       const double middle = vtkMath::Dot(axis, center.data());
