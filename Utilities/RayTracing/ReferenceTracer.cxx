@@ -108,10 +108,12 @@ public:
   bool IsLit(const Receiver& receiver, const ReferenceLight& light, const Vector& place) const
   {
     const Vector toLight = light.IsDirectional() ? place : place - receiver.Hit.Point;
-    const double side =
-      Dot(toLight, receiver.Hit.Normal) < 0.0 ? -receiver.Offset : receiver.Offset;
+    if (Dot(toLight, receiver.Hit.Normal) < 0.0)
+    {
+      return false; // behind the side that the camera sees: the surface itself is in the way
+    }
     ReferenceRayCaster::Ray ray;
-    ray.Origin = receiver.Hit.Point + side * receiver.Hit.Normal;
+    ray.Origin = receiver.Hit.Point + receiver.Offset * receiver.Hit.Normal;
     double distance = std::numeric_limits<double>::infinity();
     ray.Direction = place;
     if (!light.IsDirectional())

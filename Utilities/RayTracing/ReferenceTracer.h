@@ -8,6 +8,9 @@
  * strata of each light; the visibility is the weighted mean of what is not blocked. It shares the
  * scene and the description of the lights with the raster techniques, and no other code.
  *
+ * Surfaces are opaque: what of the light lies behind the side that the camera sees is blocked by the
+ * surface itself, be it a closed body or a thin sheet.
+ *
  * The jitter is a fixed function of pixel, light and stratum: the same scene gives the same numbers
  * on any number of cores.
  *

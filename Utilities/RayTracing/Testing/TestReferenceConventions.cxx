@@ -49,7 +49,7 @@ protected:
   ReferenceConventions()
   {
     this->Floor =
-      MakeQuadActor({ { { -2.0, -2.0, 0.0 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } } });
+      MakeQuadActor({ { { { -2.0, -2.0, 0.0 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } } } });
     this->Renderer->AutomaticLightCreationOff();
     this->Renderer->AddActor(this->Floor);
     this->Lamp->PositionalOn();
@@ -83,13 +83,20 @@ protected:
   static vtkSmartPointer<vtkActor> MakeBlocker(double x)
   {
     return MakeQuadActor(
-      { { { x - 0.5, -0.5, 2.0 } }, { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } } });
+      { { { { x - 0.5, -0.5, 2.0 } }, { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } } } });
   }
 
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkAreaLight> Lamp;
   vtkSmartPointer<vtkActor> Floor;
 };
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(ReferenceConventions, ASheetBlocksWhatShinesOnItsOtherSide)
+{
+  this->Lamp->SetPosition(0.0, 0.0, -4.0);
+  EXPECT_EQ(this->Trace().Visibility[0][At(0.1, 0.1)], 0.0F);
+}
 
 //--------------------------------------------------------------------------------------------------
 TEST_F(ReferenceConventions, NothingIsSeenBesideTheFloor)
@@ -288,7 +295,7 @@ TEST_F(ReferenceConventions, ContactIsDarkUpToTheEdge)
 TEST_F(ReferenceConventions, WhatLiesInTheLightsPlaneDoesNotBlockIt)
 {
   this->Renderer->AddActor(
-    MakeQuadActor({ { { -0.3, -0.3, 4.0 } }, { { 0.6, 0.0, 0.0 } }, { { 0.0, 0.6, 0.0 } } }));
+    MakeQuadActor({ { { { -0.3, -0.3, 4.0 } }, { { 0.6, 0.0, 0.0 } }, { { 0.0, 0.6, 0.0 } } } }));
   EXPECT_EQ(this->Trace().Visibility[0][At(0.9, 0.1)], 1.0F);
 }
 
