@@ -1,10 +1,11 @@
-# Run by the test Install.Consumer; see CMakeLists.txt beside it for the variables.
+# Run by the tests Install.*; see CMakeLists.txt beside it for the variables.
 set(prefix "${WORK_DIR}/prefix")
 set(build "${WORK_DIR}/build")
+set(output "${WORK_DIR}/output")
 
 # Nothing of an earlier run may help this one.
 file(REMOVE_RECURSE "${WORK_DIR}")
-file(MAKE_DIRECTORY "${WORK_DIR}")
+file(MAKE_DIRECTORY "${output}")
 
 function (run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
@@ -30,5 +31,8 @@ if (NOT consumer_SoftShadows_DIR STREQUAL "${prefix}/${PACKAGE_DIR}")
 endif ()
 
 run("${CMAKE_COMMAND}" --build "${build}" --config "${CONFIG}")
-find_program(program consumer PATHS "${build}" "${build}/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
-run("${program}")
+find_program(program "${PROGRAM}" PATHS "${build}" "${build}/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
+run("${CMAKE_COMMAND}" -E chdir "${output}" "${program}" ${ARGUMENTS})
+if (PICTURES)
+  run("${CMAKE_COMMAND}" -E chdir "${output}" "${CHECK_PICTURE}" ${PICTURES})
+endif ()
