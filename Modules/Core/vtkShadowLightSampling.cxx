@@ -46,6 +46,24 @@ int FindColumns(int count)
   return 0;
 }
 
+// A point of the unit disk to one of a sun's, equal areas to equal solid angles: the height of a
+// spherical cap is uniform in solid angle, and so is the square of the disk's radius.
+void MapToSun(double& u, double& v, double tangentOfSun)
+{
+  const double squaredRadius = u * u + v * v;
+  if (squaredRadius == 0.0)
+  {
+    return;
+  }
+  // 1 - cosine, written without the cancellation of small suns.
+  const double root = std::sqrt(1.0 + tangentOfSun * tangentOfSun);
+  const double height = squaredRadius * tangentOfSun * tangentOfSun / (root * (root + 1.0));
+  const double tangent = std::sqrt(height * (2.0 - height)) / (1.0 - height);
+  const double stretch = tangent / (tangentOfSun * std::sqrt(squaredRadius));
+  u *= stretch;
+  v *= stretch;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -79,6 +97,10 @@ std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
     if (emitter.Shape == vtkShadowEmitter::DISK)
     {
       MapToDisk(sample.U, sample.V);
+      if (emitter.Directional)
+      {
+        MapToSun(sample.U, sample.V, emitter.HalfSize[0]);
+      }
     }
     const double window[2] = { emitter.WindowCenter[0] + sample.U * emitter.WindowHalfSize[0],
       emitter.WindowCenter[1] + sample.V * emitter.WindowHalfSize[1] };

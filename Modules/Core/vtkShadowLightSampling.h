@@ -5,7 +5,8 @@
  * @brief   Points of an emitter with weights that integrate it.
  *
  * Points are window coordinates in [-1, 1]^2. Weights sum to 1. Disks are filled by the equal-area
- * concentric map of Shirley and Chiu 1997, so equal weights are uniform in area.
+ * concentric map of Shirley and Chiu 1997, so equal weights are uniform in area; the disks of
+ * directional lights so that they are uniform in solid angle.
  */
 
 #ifndef vtkShadowLightSampling_h

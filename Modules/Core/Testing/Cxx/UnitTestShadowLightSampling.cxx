@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points that integrate the light: weights, moments, spread.
 
+#include "vtkMath.h"
 #include "vtkShadowEmitter.h"
 #include "vtkShadowLightSampling.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -231,6 +233,37 @@ TEST(ShadowLightSamplingPatterns, GaussianWeightsAreThoseOfTheWholeLight)
     EXPECT_NEAR(sample.Weight / samples[0].Weight, gaussian(sample) / gaussian(samples[0]), 1e-12);
   }
   EXPECT_GT(samples[2].Weight, samples[0].Weight) << "nearer to the light's centre";
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowLightSamplingPatterns, SunsAreUniformInSolidAngle)
+{
+  constexpr int count = 1024;
+  for (const double degrees : { 0.53, 5.0, 60.0, 170.0 })
+  {
+    const double half = vtkMath::RadiansFromDegrees(0.5 * degrees);
+    vtkShadowEmitter sun;
+    sun.Directional = true;
+    sun.Shape = vtkShadowEmitter::DISK;
+    sun.HalfSize = { { std::tan(half), std::tan(half) } };
+    // Rings of a cap of equal heights hold equal solid angles: Archimedes.
+    std::array<double, 8> rings = { {} };
+    double mean = 0.0;
+    for (const Sampling::Sample& sample :
+      Sampling::Generate(sun, count, Sampling::SOBOL, Sampling::MEAN))
+    {
+      const double angle = std::atan(std::hypot(sample.U, sample.V) * std::tan(half));
+      const double height = std::pow(std::sin(0.5 * angle) / std::sin(0.5 * half), 2.0);
+      ASSERT_LE(height, 1.0 + 1e-12) << degrees << " degrees";
+      rings[std::min(static_cast<int>(8.0 * height), 7)] += sample.Weight;
+      mean += sample.Weight * height;
+    }
+    EXPECT_NEAR(mean, 0.5, 2.0 / count) << degrees << " degrees";
+    for (const double weight : rings)
+    {
+      EXPECT_NEAR(weight, 1.0 / 8.0, 0.01) << degrees << " degrees";
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
