@@ -192,6 +192,8 @@ bool vtkVirtualGrid::DrawPyramid(vtkOpenGLRenderWindow* window)
 void vtkVirtualGrid::StartTransfer(vtkOpenGLRenderWindow* window)
 {
   window->GetState()->vtkglReadBuffer(GL_COLOR_ATTACHMENT0);
+  GLint alignment = 1;
+  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
   window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
   size_t offset = 0;
@@ -202,6 +204,7 @@ void vtkVirtualGrid::StartTransfer(vtkOpenGLRenderWindow* window)
     glReadPixels(0, 0, size, size, GL_RG, GL_FLOAT, reinterpret_cast<void*>(offset));
     offset += static_cast<size_t>(size) * size * sizeof(vtkVirtualTileTree::Cell);
   }
+  window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, alignment);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 

@@ -40,6 +40,14 @@ namespace
 {
 using Screen = vtkVirtualScreen;
 
+// Which pixels the last step draws.
+enum PartType
+{
+  PART_ALL = 0,
+  PART_LIT = 1,
+  PART_PENUMBRA = 2
+};
+
 // A step's text with what several steps share in place.
 std::string WithShared(const char* text)
 {
@@ -57,6 +65,8 @@ vtkShadowShader::Definitions SharedDefinitions()
   return { { "VIRTUAL_UNSERVED", std::to_string(Screen::UNSERVED) + ".0" },
     { "VIRTUAL_LIT", std::to_string(Screen::LIT) + ".0" },
     { "VIRTUAL_PENUMBRA", std::to_string(Screen::PENUMBRA) + ".0" },
+    { "VIRTUAL_PART_LIT", std::to_string(PART_LIT) },
+    { "VIRTUAL_PART_PENUMBRA", std::to_string(PART_PENUMBRA) },
     { "VIRTUAL_DEBUG_TILES", std::to_string(Pass::DEBUG_TILES) },
     { "VIRTUAL_DEBUG_RESOLUTION", std::to_string(Pass::DEBUG_RESOLUTION) },
     { "VIRTUAL_DEBUG_KERNEL", std::to_string(Pass::DEBUG_KERNEL) } };
@@ -201,11 +211,10 @@ bool vtkVirtualSoftShadowPass::DrawShapes(const vtkSoftShadowContext& context)
   this->SetMapUniforms(
     program, context, Internals::GetView(context), context.Maps->GetResolution());
   vtkShadowTextureArray* maps = context.Maps->GetTexture();
-  vtkShadowTextureArray* pyramid =
-    context.Pyramid && this->EarlyOut ? context.Pyramid->GetTexture() : nullptr;
+  vtkShadowTextureArray* pyramid = context.Pyramid->GetTexture();
   program->SetUniformi("depthMaps", maps->Activate());
-  program->SetUniformi("hasPyramid", pyramid ? 1 : 0);
-  program->SetUniformi("depthPyramid", pyramid ? pyramid->Activate() : 0);
+  program->SetUniformi("usePyramid", this->EarlyOut ? 1 : 0);
+  program->SetUniformi("depthPyramid", pyramid->Activate());
   program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
   program->SetUniformi("searchWidth", this->SearchWidth);
   program->SetUniformi("antialiasing", this->Antialiasing ? 1 : 0);
@@ -220,10 +229,7 @@ bool vtkVirtualSoftShadowPass::DrawShapes(const vtkSoftShadowContext& context)
   program->SetUniformf("largestKernel", static_cast<float>(vtkVirtualResolution::LargestKernel));
   impl.ShapeShader.Draw();
   maps->Deactivate();
-  if (pyramid)
-  {
-    pyramid->Deactivate();
-  }
+  pyramid->Deactivate();
   context.Receivers->Deactivate();
   return true;
 }
@@ -335,9 +341,13 @@ void vtkVirtualSoftShadowPass::Resolve(const vtkSoftShadowContext& context)
   program->SetUniformi("emitterDisk", Internals::IsDisk(context));
   program->SetUniformi("debugView", this->DebugView);
   program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
-  program->SetUniformi("lit", 1);
-  impl.ResolveShader.Draw();
-  program->SetUniformi("lit", 0);
+  if (this->EarlyOut)
+  {
+    program->SetUniformi("part", PART_LIT);
+    impl.ResolveShader.Draw();
+  }
+  // Counted as filtered: without early-outs no pixel counts as proved.
+  program->SetUniformi("part", this->EarlyOut ? PART_PENUMBRA : PART_ALL);
   this->DrawFiltered(impl.ResolveShader);
   impl.Screen.Deactivate();
 }

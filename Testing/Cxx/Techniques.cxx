@@ -8,6 +8,7 @@
 #include "vtkPercentageCloserSoftShadowPass.h"
 #include "vtkSampledSoftShadowPass.h"
 #include "vtkSeparableSoftShadowPass.h"
+#include "vtkVirtualSoftShadowPass.h"
 
 #include <ostream>
 
@@ -119,6 +120,18 @@ vtkSmartPointer<vtkSoftShadowPass> MakeAdaptiveSampled(Effort effort, Weights we
   return pass;
 }
 
+//------------------------------------------------------------------------------
+/// Uniform lights only.
+vtkSmartPointer<vtkSoftShadowPass> MakeVirtual(Effort effort, Weights)
+{
+  auto pass = vtkSmartPointer<vtkVirtualSoftShadowPass>::New();
+  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
+  pass->SetSearchMapSize(effort == Effort::Accurate ? 1024 : 256);
+  pass->SetSearchWidth(effort == Effort::Accurate ? 24 : 12);
+  pass->SetAdaptive(effort == Effort::Accurate);
+  return pass;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -131,6 +144,7 @@ const std::vector<Technique>& AllTechniques()
     { "Separable", MakeSeparable, 0.015, 0.03, 1.0 / 11.0, 0.002 },
     { "Cascaded", MakeCascaded, 0.01, 0.03, 1.0 / 16.0 },
     { "AdaptiveSampled", MakeAdaptiveSampled, 0.02, 0.03, 1.0 / 16.0 },
+    { "Virtual", MakeVirtual, 0.015, 0.03, 1.0 / 8.0, 0.0, false, true },
   };
   return techniques;
 }

@@ -29,15 +29,15 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
   vec2 low = point.std.xy - halfWidth;
   vec2 high = point.std.xy + halfWidth;
   DepthRange range = DepthRange(false, all(greaterThan(low, vec2(0.0))) && all(lessThan(high, vec2(1.0))), 1.0);
-  if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, vec2(1.0))))
-  {
-    return range;
-  }
   // The finest level on which the rectangle touches at most 4 texels along each axis.
   vec2 extent = (high - low) * depthMapSize;
   int level = int(max(ceil(log2(max(max(extent.x, extent.y), 1.0) / 3.0)) - 1.0, 0.0));
   vec2 size = vec2(textureSize(depthPyramid, 0).xy);
   level = sameInQuad(min(level, int(log2(size.x))));
+  if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, vec2(1.0))))
+  {
+    return range;
+  }
   ivec2 levelSize = max(ivec2(size) >> level, ivec2(1));
   float span = float(2 << level) / depthMapSize; // edge of a pyramid texel in (s, t)
   ivec2 first = clamp(ivec2(floor(low / span)), ivec2(0), levelSize - 1);

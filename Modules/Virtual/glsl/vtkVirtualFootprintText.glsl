@@ -41,12 +41,13 @@ vec2 reachOf(Footprint footprint)
   return sqrt(2.0 * variance.xz);
 }
 
-// Whether a blocker stands in the pyramid of receiver and light, 0 to 1 over one texel. At its own
+// Whether a blocker stands in the pyramid of receiver and light: 1 if its texel touches the pyramid,
+// falling to 0 over one texel. At its own
 // depth the light's image may be narrower than the kernel, as behind a fold that rises less than the
 // light stands: such a blocker hides nothing of the light.
 float shareOfBlocker(MapPoint point, vec2 kernelScale, float depth, vec2 st, vec2 margin)
 {
   vec2 image = kernelScale * (point.std.z - depth) + margin;
-  vec2 inside = clamp((image - abs(st - point.std.xy)) * depthMapSize + 1.0, 0.0, 1.0);
+  vec2 inside = clamp((image - abs(st - point.std.xy)) * depthMapSize + 1.5, 0.0, 1.0);
   return inside.x * inside.y;
 }

@@ -8,7 +8,7 @@ uniform sampler2DArray predictions;  // (s, t, texel sizes)
 uniform sampler2DArray sums;         // (V A, A, area under tiles)
 uniform int emitterDisk;
 uniform float weight;
-uniform int lit; // 1: only pixels that are lit, 0: only the others
+uniform int part; // VIRTUAL_PART_...: which pixels are drawn
 uniform int debugView;
 
 // Powers of two below 1 as shades: 1 is white, 2^-16 black.
@@ -34,13 +34,14 @@ void main()
 {
   ivec3 pixel = ivec3(ivec2(gl_FragCoord.xy), 0);
   vec4 shape = texelFetch(kernelShapes, pixel, 0);
-  if ((shape.w >= VIRTUAL_PENUMBRA) == (lit == 1))
+  bool lit = shape.w < VIRTUAL_PENUMBRA;
+  if ((part == VIRTUAL_PART_LIT && !lit) || (part == VIRTUAL_PART_PENUMBRA && lit))
   {
     discard;
   }
-  float inFront = shape.w - (lit == 1 ? VIRTUAL_LIT : VIRTUAL_PENUMBRA);
+  float inFront = shape.w - (lit ? VIRTUAL_LIT : VIRTUAL_PENUMBRA);
   float visibility = inFront;
-  if (lit == 0)
+  if (!lit)
   {
     vec3 total = texelFetch(sums, pixel, 0).xyz;
     vec4 prediction = texelFetch(predictions, pixel, 0);

@@ -16,7 +16,7 @@ uniform vec2 kernelScale;
 uniform float mapLayer;
 uniform int searchWidth;     // blocks along an edge of the search
 uniform int emitterDisk;
-uniform int hasPyramid;      // depthPyramid shows the emitter's own map
+uniform int usePyramid;      // to prove pixels lit and to narrow the search
 uniform int antialiasing;
 uniform vec4 texelPolynomial;
 uniform float quality;
@@ -76,21 +76,21 @@ float meanBlocker(MapPoint point, vec2 halfWidth, vec2 pixelReach)
 }
 
 // False if nothing can block; else the half width within which it can.
+//
+// Every pixel of a quad comes here: the pyramid is looked up on one level for the four of them.
 bool searchWidthOf(MapPoint point, vec2 pixelReach, out vec2 halfWidth)
 {
-  halfWidth = kernelScale * max(point.std.z, 0.0) + pixelReach;
-  if (hasPyramid == 0)
-  {
-    return true;
-  }
-  DepthRange range = searchPyramid(point, halfWidth, mapLayer);
-  if (!range.anyBlocker)
-  {
-    return false;
-  }
+  vec2 widest = kernelScale * max(point.std.z, 0.0) + pixelReach;
+  DepthRange range = searchPyramid(point, widest, mapLayer);
   // Nothing lies in front of the nearest depth, so nothing outside its kernel can matter.
   halfWidth = kernelScale * max(point.std.z - range.nearest, 0.0) + pixelReach;
-  return searchPyramid(point, halfWidth, mapLayer).anyBlocker;
+  DepthRange inner = searchPyramid(point, halfWidth, mapLayer);
+  if (usePyramid == 0)
+  {
+    halfWidth = widest;
+    return true;
+  }
+  return range.anyBlocker && inner.anyBlocker;
 }
 
 // Texels that a kernel of so many pixels needs.
@@ -157,23 +157,29 @@ void main()
   gl_FragData[0] = vec4(0.0, 0.0, 0.0, VIRTUAL_UNSERVED);
   gl_FragData[1] = vec4(0.0);
   Receiver receiver;
-  if (!loadReceiver(ivec2(gl_FragCoord.xy), receiver) || !lightReaches(receiver.positionVs))
+  bool served = loadReceiver(ivec2(gl_FragCoord.xy), receiver) && lightReaches(receiver.positionVs);
+  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  if (!served)
+  {
+    point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true);
+  }
+  Footprint footprint = footprintOf(receiver, point);
+  vec2 pixelReach = served && antialiasing == 1 ? reachOf(footprint) : vec2(0.0);
+  vec2 halfWidth;
+  bool mayBlock = searchWidthOf(point, pixelReach, halfWidth);
+  if (!served)
   {
     return;
   }
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
   float inFront = shareInFront(point);
-  Footprint footprint = footprintOf(receiver, point);
-  vec3 footprintVariance = varianceOf(footprint.u, footprint.v);
-  vec2 pixelReach = antialiasing == 1 ? reachOf(footprint) : vec2(0.0);
-  vec2 halfWidth;
-  bool mayBlock = inFront > 0.0 && searchWidthOf(point, pixelReach, halfWidth);
+  mayBlock = mayBlock && inFront > 0.0;
   float blocker = mayBlock ? meanBlocker(point, halfWidth, pixelReach) : -1.0;
   if (blocker < 0.0)
   {
     gl_FragData[0].w = VIRTUAL_LIT + inFront;
     return;
   }
+  vec3 footprintVariance = varianceOf(footprint.u, footprint.v);
   vec2 light = kernelScale * max(point.std.z - blocker, 0.0);
   bool disk = emitterDisk == 1;
   vec3 full = convolve(light, disk, footprintVariance);
