@@ -39,7 +39,7 @@ struct ColumnRows
 };
 
 // Columns that cross fewer pixels than this are read from the map.
-const float shortestColumn = 3.0;
+const float shortestColumn = 4.0;
 
 ColumnRows planRows(ColumnWalk walk, float halfWidth, int taps)
 {
