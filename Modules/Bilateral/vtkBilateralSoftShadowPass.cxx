@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <vector>
@@ -122,6 +121,11 @@ public:
     size_t first, size_t last, size_t layer, bool isFirst);
   void SetAdaptiveUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
     const Step& step, const vtkBilateralSoftShadowPass* self);
+  /// How far lit pixels look for a shadow: some more than most kernels reach.
+  static int GetTileSize(const vtkBilateralSoftShadowPass* self)
+  {
+    return (self->MaximumWidth + 2) / 3;
+  }
   static std::vector<Step> PlanSteps(const vtkBilateralSoftShadowPass* self);
 };
 
@@ -256,7 +260,7 @@ void vtkBilateralSoftShadowPass::Internals::DrawBatch(vtkBilateralSoftShadowPass
 bool vtkBilateralSoftShadowPass::DrawTiles(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  const int size = this->MaximumWidth;
+  const int size = Internals::GetTileSize(this);
   vtkOpenGLState* state = context.Window->GetState();
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -395,15 +399,8 @@ void vtkBilateralSoftShadowPass::Internals::SetAdaptiveUniforms(vtkShaderProgram
   {
     edge[i] = cell[0] * halfExtents[0][i] + cell[1] * halfExtents[1][i];
   }
-  const double length = std::sqrt(edge[0] * edge[0] + edge[1] * edge[1] + edge[2] * edge[2]);
   float axis[3];
   frame.Transform(edge, 0.0, axis);
-  double texel = 0.0;
-  if (!this->Current->Samples.Views.empty() && length > 0.0)
-  {
-    const std::array<double, 4>& window = this->Current->Samples.Views[0].Window;
-    texel = std::max(window[1] - window[0], window[3] - window[2]) / self->MapSize / length;
-  }
   const vtkMatrix4x4* projection =
     context.Renderer->GetActiveCamera()->GetProjectionTransformMatrix(
       context.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
@@ -418,11 +415,9 @@ void vtkBilateralSoftShadowPass::Internals::SetAdaptiveUniforms(vtkShaderProgram
   program->SetUniform3fv("lightAxesVs", 2, axes);
   const int shape = emitter.Shape == vtkShadowEmitter::DISK ? 1 : 0;
   program->SetUniformi("lightKind", self->HasGaussianWeights() || !emitter.HasExtent() ? 2 : shape);
-  program->SetUniform3f("lightAxisVs", direction);
   program->SetUniform3f("cellAxisVs", axis);
-  program->SetUniformf("texelReach", static_cast<float>(texel));
   program->SetUniformf("maximumWidth", static_cast<float>(self->MaximumWidth));
-  program->SetUniformi("tileSize", self->MaximumWidth);
+  program->SetUniformi("tileSize", Internals::GetTileSize(self));
 }
 
 //------------------------------------------------------------------------------

@@ -129,8 +129,8 @@ public:
 
   ///@{
   /**
-   * The widest kernel of ADAPTIVE in pixels, in [1, 256]. Bands that are wider remain. Default is
-   * 96.
+   * The widest kernel of ADAPTIVE in pixels, in [1, 256]. Bands that are wider remain, and
+   * their outermost is cut where a third of it ends. Default is 64.
    */
   vtkSetClampMacro(MaximumWidth, int, 1, 256);
   vtkGetMacro(MaximumWidth, int);
@@ -166,7 +166,7 @@ protected:
   double DomainDeviation = 3.0;
   double RangeDeviation = 0.5;
   int Iterations = 3;
-  int MaximumWidth = 96;
+  int MaximumWidth = 64;
   bool SecondAxisFirst = false;
 
 private:

@@ -3,6 +3,7 @@
 #include "Techniques.h"
 
 #include "vtkAdaptiveSampledSoftShadowPass.h"
+#include "vtkBilateralSoftShadowPass.h"
 #include "vtkCascadedSoftShadowPass.h"
 #include "vtkMarchedSoftShadowPass.h"
 #include "vtkPercentageCloserSoftShadowPass.h"
@@ -132,6 +133,17 @@ vtkSmartPointer<vtkSoftShadowPass> MakeVirtual(Effort effort, Weights)
   return pass;
 }
 
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkSoftShadowPass> MakeBilateral(Effort effort, Weights weights)
+{
+  auto pass = vtkSmartPointer<vtkBilateralSoftShadowPass>::New();
+  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
+  pass->SetNumberOfSamples(effort == Effort::Accurate ? 64 : 15);
+  pass->SetWeights(
+    weights == Weights::Gaussian ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN);
+  return pass;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -141,6 +153,7 @@ const std::vector<Technique>& AllTechniques()
     { "Sampled", MakeSampled, 0.01, 0.03, 1.0 / 16.0 },
     { "PercentageCloser", MakePercentageCloser, 0.015, 0.03, 1.0 / 11.0 },
     { "Marched", MakeMarched, 0.015, 0.03, 1.0 / 8.0 },
+    { "Bilateral", MakeBilateral, 0.01, 0.03, 1.0 / 15.0, 0.01, true, false, false },
     { "Separable", MakeSeparable, 0.015, 0.03, 1.0 / 11.0, 0.002 },
     { "Cascaded", MakeCascaded, 0.01, 0.03, 1.0 / 16.0 },
     { "AdaptiveSampled", MakeAdaptiveSampled, 0.02, 0.03, 1.0 / 16.0 },

@@ -48,6 +48,8 @@ struct Technique
   /// The visibility varies continuously with depths, and so with their rounding, which depends on
   /// where the casters' origin was laid first. Others have steps that such rounding does not reach.
   bool IsContinuous = false;
+  /// Whether pixels proved lit or blocked are left out; not where neighbours need their value.
+  bool HasProof = true;
 };
 
 const std::vector<Technique>& AllTechniques();

@@ -166,7 +166,8 @@ TEST_P(Invariance, EarlyOut)
     const vtkTypeInt64 filtered = pass->GetStatistics().PixelsFiltered;
     pass->EarlyOutOn();
     EXPECT_TRUE(Matches(all, stage.RenderVisibility(scene.Light), SameToRounding));
-    EXPECT_LT(pass->GetStatistics().PixelsFiltered, filtered);
+    EXPECT_TRUE(!GetParam().HasProof || pass->GetStatistics().PixelsFiltered < filtered)
+      << pass->GetStatistics().PixelsFiltered << " of " << filtered;
     ExpectShadow(all);
   }
 }

@@ -9,7 +9,7 @@
 //SoftShadows::Include vtkShadowReceiver
 
 uniform sampler2DArray source;
-uniform int firstStep; // the source are sums: of the points in front, of those seen, of reaches
+uniform int firstStep; // the source are sums: of points in front, of those seen, of reaches...
 uniform int lastStep;
 uniform float weight;  // of the emitter
 uniform float rangeDeviation; // h_r, in units of visibility
@@ -64,14 +64,14 @@ float facingShare(Receiver receiver, float sampled)
 
 Pixel fetchPixel(ivec2 pixel)
 {
-  vec3 value = texelFetch(source, ivec3(pixel, 0), 0).rgb;
+  vec4 value = texelFetch(source, ivec3(pixel, 0), 0);
   if (firstStep == 0 || value.r < -0.5)
   {
     return Pixel(value.r, value.g, value.b);
   }
 #ifdef BILATERAL_ADAPTIVE
   // What the receiver's own plane hides is known; the points tell what else blocks the rest.
-  float visibility = value.r > 0.0 ? value.g / value.r : 1.0;
+  float visibility = value.r > 0.0 ? value.g / value.r : value.a;
   return Pixel(visibility, value.b / max(value.r - value.g, 1e-6), value.r);
 #else
   return Pixel(value.g, 0.0, 1.0);
@@ -118,8 +118,6 @@ uniform sampler2DArray tiles; // least and greatest visibility
 uniform int tileSize;
 uniform mat4 viewToClip;
 uniform vec3 cellAxisVs;  // an edge of the cell of a point of the light
-uniform float texelReach; // the reach that spreads a point over a texel of its map
-uniform vec3 lightAxisVs; // unit direction along which the light's distances are measured
 uniform float maximumWidth; // pixels
 const int maximumTaps = 9;
 
@@ -144,7 +142,7 @@ bool isVaried(ivec2 pixel)
 float searchReach(Receiver receiver, ivec2 pixel)
 {
   ivec2 size = textureSize(source, 0).xy;
-  for (float radius = 1.0; radius <= 0.71 * maximumWidth; radius *= 1.6)
+  for (float radius = 1.0; radius <= float(tileSize); radius *= 2.0)
   {
     float sum = 0.0;
     float count = 0.0;
@@ -188,8 +186,6 @@ float findGuide(Receiver receiver, ivec2 pixel, Pixel value)
 vec2 shadowMotion(Receiver receiver, float reach)
 {
   vec3 ray = positional * receiver.positionVs - lightVs;
-  float range = positional > 0.0 ? dot(ray, lightAxisVs) : 1.0;
-  reach = max(reach, texelReach * range);
   float slant = dot(receiver.normalVs, ray);
   float least = 0.05 * length(ray);
   slant = abs(slant) < least ? (slant < 0.0 ? -least : least) : slant;

@@ -21,17 +21,20 @@ void main()
   float facing = litWeight;
   float visibility = litWeight;
   float reaches = 0.0;
+  float behind = 0.0; // of the points behind the plane, those that nothing else hides
   for (int i = 0; i < sampleCount; ++i)
   {
     MapPoint point = toMap(viewToMaps[i], receiver.positionVs, receiver.normalVs);
+    float depth = mapDepth(point.std.xy, firstLayer + float(i));
+    bool isHidden = isBlocker(point, point.std.xy, depth);
     // A plane that the camera sees from behind is its own blocker.
     if (!point.facesCenter)
     {
+      behind += isHidden ? 0.0 : sampleWeights[i];
       continue;
     }
     facing += sampleWeights[i];
-    float depth = mapDepth(point.std.xy, firstLayer + float(i));
-    if (!isBlocker(point, point.std.xy, depth))
+    if (!isHidden)
     {
       visibility += sampleWeights[i];
       continue;
@@ -43,5 +46,5 @@ void main()
       : -difference / (depthToLinears[i].x + depthToLinears[i].y * point.std.z);
     reaches += sampleWeights[i] * max(reach, 0.0);
   }
-  gl_FragData[0] = vec4(base + facing, visibility, reaches, 0.0);
+  gl_FragData[0] = vec4(base + facing, visibility, reaches, behind);
 }
