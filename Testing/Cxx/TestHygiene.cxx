@@ -203,7 +203,7 @@ TEST_P(Hygiene, ResizeLeaksNothing)
 }
 
 //------------------------------------------------------------------------------
-// A release in the middle of a session: the next frame makes everything anew, and the same.
+// A release in the middle of a run: the next frame makes everything anew, and the same.
 TEST_P(Hygiene, ReleasedPassDrawsAgain)
 {
   const BallScene scene = MakeBallScene();
