@@ -239,8 +239,8 @@ TEST_P(Pitfall, CasterLeavesTheView)
   const Picture part = all.Part(2 * Width, 2 * Height, Width, Height);
   if (this->GetParam().LargestBorderError > 0.0)
   {
-    EXPECT_LT(Compare(close, part, SameButForFlips).RootMeanSquare,
-      this->GetParam().LargestBorderError);
+    EXPECT_LT(
+      Compare(close, part, SameButForFlips).RootMeanSquare, this->GetParam().LargestBorderError);
   }
   else
   {
