@@ -10,9 +10,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-vtkSeparableTarget::~vtkSeparableTarget() = default;
-
-//------------------------------------------------------------------------------
 void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader,
   const std::vector<Output>& outputs, unsigned int marks)
 {

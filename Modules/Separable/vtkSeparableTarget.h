@@ -22,7 +22,7 @@ class vtkSeparableTarget
 {
 public:
   vtkSeparableTarget() = default;
-  ~vtkSeparableTarget();
+  ~vtkSeparableTarget() = default;
   vtkSeparableTarget(const vtkSeparableTarget&) = delete;
   vtkSeparableTarget& operator=(const vtkSeparableTarget&) = delete;
 

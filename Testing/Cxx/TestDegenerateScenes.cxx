@@ -36,7 +36,7 @@ protected:
   {
     const auto pass = this->GetParam().Make(Effort::Quick, Weights::Mean);
     Stage stage(this->Scene.Renderer, pass, 80, 60);
-    const Picture visibility = stage.RenderVisibility(light);
+    Picture visibility = stage.RenderVisibility(light);
     for (const float v : visibility.Values)
     {
       EXPECT_TRUE(std::isnan(v) || (v >= 0.0f && v <= 1.0f)) << v;
