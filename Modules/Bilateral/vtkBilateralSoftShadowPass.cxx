@@ -379,7 +379,7 @@ void vtkBilateralSoftShadowPass::Internals::SetAdaptiveUniforms(vtkShaderProgram
   frame.Transform(emitter.Direction.data(), 0.0, direction);
   if (emitter.Directional)
   {
-    std::transform(direction, direction + 3, light, std::negate<float>());
+    std::transform(direction, direction + 3, light, std::negate<>());
   }
   else
   {
