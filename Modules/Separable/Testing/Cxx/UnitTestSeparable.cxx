@@ -35,7 +35,7 @@ Picture Draw(vtkRenderer* renderer, vtkSoftShadowPass* pass, int width = Width, 
   window.Add(renderer);
   UsePass(renderer, pass);
   window.Render();
-  const Picture picture = PictureOf(pass->GetVisibilityImage(0));
+  Picture picture = PictureOf(pass->GetVisibilityImage(0));
   pass->ReleaseGraphicsResources(window.Get());
   UsePass(renderer, nullptr);
   window.Remove(renderer);
