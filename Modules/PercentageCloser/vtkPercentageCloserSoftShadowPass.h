@@ -69,7 +69,7 @@ public:
   /**
    * Whether the blocker search leaves out taps that no ray from the receiver to the light can meet:
    * those outside the light's image at their own depth. Without it, as in the paper, a bump beside
-   * the receiver shadows it: on the bunny under a light of a fifth of its distance RMSE 0.058 instead of
+   * the receiver shadows it: on the bunny under a light of a fifth of its distance RMSE 0.057 instead of
    * 0.043, false shadows on 6213 pixels instead of 91. Default is on.
    */
   vtkSetMacro(Footprint, bool);

@@ -21,7 +21,7 @@ vec4 litTexels(MapPoint point, vec2 corner, float layer)
 {
   vec4 depths = textureGather(depthMaps, vec3(corner / depthMapSize, layer));
   depths = mix(vec4(infinitelyFar), depths, lessThan(depths, vec4(emptyDepth)));
-  // receiverDepth at the four centres.
+  // isBlocker at the four centres, for planes that face the light.
   float middle = planeDepth(point, corner / depthMapSize) - point.bias;
   vec2 reach = 0.5 / depthMapSize * point.gradient;
   vec4 planes = middle + vec4(reach.y - reach.x, reach.y + reach.x, reach.x - reach.y, -reach.x - reach.y);
