@@ -2,16 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceTracer.h"
 
-#include "ReferenceCamera.h"
-#include "ReferenceLight.h"
-#include "ReferenceRayCaster.h"
-
-#include <vtkLight.h>
-#include <vtkLightCollection.h>
-#include <vtkRenderer.h>
+#include "ReferenceSnapshot.h"
 
 #include <algorithm> // For std::max
-#include <atomic>    // For the rows that are left
 #include <cmath>     // For NaN
 #include <limits>    // For NaN
 #include <stdexcept> // For bad arguments
@@ -66,25 +59,13 @@ struct Receiver
 class Scene
 {
 public:
-  Scene(vtkRenderer* renderer, int width, int height, bool gaussian)
-    : Geometry(renderer)
-    , Caster(Geometry)
-    , Camera(renderer->GetActiveCamera(), width, height, Geometry)
+  explicit Scene(const ReferenceSnapshot& snapshot)
+    : Geometry(snapshot.GetGeometry())
+    , Caster(snapshot.GetCaster())
+    , Camera(snapshot.GetCamera())
+    , Lights(snapshot.GetLights())
+    , CastsShadow(snapshot.GetCastsShadow())
   {
-    vtkLightCollection* lights = renderer->GetLights();
-    vtkCollectionSimpleIterator iterator;
-    lights->InitTraversal(iterator);
-    while (vtkLight* light = lights->GetNextLight(iterator))
-    {
-      if (!light->GetSwitch())
-      {
-        continue;
-      }
-      vtkShadowEmitter emitter;
-      std::string reason;
-      this->CastsShadow.push_back(vtkShadowEmitter::FromLight(light, emitter, reason));
-      this->Lights.emplace_back(emitter, this->Geometry, gaussian);
-    }
   }
 
   bool FindReceiver(int column, int row, Receiver& receiver) const
@@ -127,11 +108,11 @@ public:
     return !this->Caster.IsBlocked(ray, distance, receiver.Hit.Triangle);
   }
 
-  ReferenceGeometry Geometry;
-  ReferenceRayCaster Caster;
-  ReferenceCamera Camera;
-  std::vector<ReferenceLight> Lights;
-  std::vector<bool> CastsShadow;
+  const ReferenceGeometry& Geometry;
+  const ReferenceRayCaster& Caster;
+  const ReferenceCamera& Camera;
+  const std::vector<ReferenceLight>& Lights;
+  const std::vector<bool>& CastsShadow;
 };
 
 //--------------------------------------------------------------------------------------------------
@@ -177,17 +158,22 @@ void Allocate(const Scene& scene, ReferenceVisibility& images)
 class Worker
 {
 public:
-  Worker(const Scene& scene, int perAxis, int pilotPerAxis, ReferenceVisibility& images)
+  Worker(const Scene& scene, int perAxis, int pilotPerAxis, const std::atomic<bool>* cancelled,
+    ReferenceVisibility& images)
     : TheScene(scene)
     , PerAxis(perAxis)
     , PilotPerAxis(pilotPerAxis)
+    , Cancelled(cancelled)
     , Images(images)
   {
   }
 
+  bool IsCancelled() const { return this->Cancelled && *this->Cancelled; }
+
   void TraceRow(int row)
   {
-    for (int column = 0; column < this->Images.Width; ++column)
+    // Asked per pixel: a row may take a second.
+    for (int column = 0; column < this->Images.Width && !this->IsCancelled(); ++column)
     {
       Receiver receiver;
       receiver.Pixel = static_cast<std::uint64_t>(row) * this->Images.Width + column;
@@ -255,6 +241,7 @@ private:
   const Scene& TheScene;
   int PerAxis;
   int PilotPerAxis;
+  const std::atomic<bool>* Cancelled;
   ReferenceVisibility& Images;
   std::int64_t Rays = 0;
 };
@@ -276,7 +263,17 @@ ReferenceTracer::ReferenceTracer(int width, int height, int samplesPerAxis)
 //--------------------------------------------------------------------------------------------------
 ReferenceVisibility ReferenceTracer::Trace(vtkRenderer* renderer) const
 {
-  const Scene scene(renderer, this->Width, this->Height, this->Gaussian);
+  return this->Trace(ReferenceSnapshot(renderer, this->Width, this->Height, this->Gaussian));
+}
+
+//--------------------------------------------------------------------------------------------------
+ReferenceVisibility ReferenceTracer::Trace(const ReferenceSnapshot& snapshot) const
+{
+  if (snapshot.GetWidth() != this->Width || snapshot.GetHeight() != this->Height)
+  {
+    throw std::invalid_argument("the snapshot is of another size than the tracer");
+  }
+  const Scene scene(snapshot);
   ReferenceVisibility images;
   images.Width = this->Width;
   images.Height = this->Height;
@@ -286,8 +283,8 @@ ReferenceVisibility ReferenceTracer::Trace(vtkRenderer* renderer) const
   std::atomic<std::int64_t> rays{ 0 };
   const auto work = [&](const std::function<void(double)>& progress)
   {
-    Worker worker(scene, this->SamplesPerAxis, this->PilotSamplesPerAxis, images);
-    for (int row = next++; row < this->Height; row = next++)
+    Worker worker(scene, this->SamplesPerAxis, this->PilotSamplesPerAxis, this->Cancelled, images);
+    for (int row = next++; row < this->Height && !worker.IsCancelled(); row = next++)
     {
       worker.TraceRow(row);
       if (progress)
@@ -311,6 +308,7 @@ ReferenceVisibility ReferenceTracer::Trace(vtkRenderer* renderer) const
     helper.join();
   }
   images.ShadowRays = rays;
+  images.Complete = !this->Cancelled || !*this->Cancelled;
   return images;
 }
 

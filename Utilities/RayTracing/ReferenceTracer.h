@@ -20,13 +20,14 @@
  *
  * Error: for an edge across the light about 0.3 N^-1.5, that is 6e-4 for N = 64.
  *
- * @sa ReferenceGeometry ReferenceLight
+ * @sa ReferenceGeometry ReferenceLight ReferenceSnapshot
  */
 
 #ifndef SoftShadowsRayTracing_ReferenceTracer_h
 #define SoftShadowsRayTracing_ReferenceTracer_h
 
 #include <array>      // For normals
+#include <atomic>     // For the request to stop
 #include <cstdint>    // For counts
 #include <functional> // For the progress callback
 #include <vector>     // For the images
@@ -36,6 +37,8 @@ class vtkRenderer;
 
 namespace softshadows
 {
+
+class ReferenceSnapshot;
 
 /// Images of Width x Height, top row first.
 struct ReferenceVisibility
@@ -54,6 +57,8 @@ struct ReferenceVisibility
   std::vector<vtkProp*> Props;
   /// Rays sent to lights.
   std::int64_t ShadowRays = 0;
+  /// False if the trace was cancelled: pixels not reached have no value.
+  bool Complete = true;
 };
 
 class ReferenceTracer
@@ -84,6 +89,15 @@ public:
    */
   ReferenceVisibility Trace(vtkRenderer* renderer) const;
 
+  /**
+   * Traces what a snapshot holds, which may happen in any thread: no VTK object is touched. Whether
+   * weights are Gaussian is the snapshot's. Throws std::invalid_argument for another size.
+   */
+  ReferenceVisibility Trace(const ReferenceSnapshot& snapshot) const;
+
+  /// A trace ends early once this is true. Not owned; must live while Trace runs.
+  void SetCancelled(const std::atomic<bool>* cancelled) { this->Cancelled = cancelled; }
+
 private:
   int Width;
   int Height;
@@ -92,6 +106,7 @@ private:
   bool Gaussian = false;
   unsigned int NumberOfThreads = 0;
   std::function<void(double)> Progress;
+  const std::atomic<bool>* Cancelled = nullptr;
 };
 
 /// The same in one call.
