@@ -14,8 +14,8 @@
  * Both are projective maps of space. Two consequences carry every technique:
  *  - a plane of space is a plane d = d0 + g . (st - st0) of the map, exactly;
  *  - the light, seen from a receiver at depth d_q, covers at the depth d_o of a blocker a copy of
- * the emitter's shape around the receiver's own (s, t) whose half extent is GetKernelScale() * (d_q
- * - d_o), for perspective and parallel maps alike.
+ * the emitter's shape around the receiver's own (s, t) whose half extent is
+ * GetKernelScale() * (d_q - d_o), for perspective and parallel maps alike.
  */
 
 #ifndef vtkShadowMapView_h

@@ -4,10 +4,13 @@
  * @class   vtkShadowShader
  * @brief   A fragment shader run over the whole viewport, made of a .glsl file and shared snippets.
  *
- * A line `//SoftShadows::Include NAME` in the text is replaced by Core's snippet NAME (the stem of
- * a file in Modules/Core/glsl), once however often it is asked for. Definitions become #define
- * lines behind the version. The program is built when first used and again only if the definitions
- * change.
+ * In the text a line
+ *
+ *     //SoftShadows::Include NAME
+ *
+ * is replaced by Core's snippet NAME (the stem of a file in Modules/Core/glsl), once however often it
+ * is asked for. Definitions become `define` lines behind the version. The program is built when first
+ * used and again only if the definitions change. In the drawing code:
  *
  *     if (shader.Use(window))
  *     {
@@ -45,7 +48,7 @@ public:
   vtkShadowShader& operator=(const vtkShadowShader&) = delete;
 
   /**
-   * The text with its includes and definitions in place. An unknown include becomes an #error line.
+   * The text with its includes and definitions in place. An unknown include becomes an `error` line.
    */
   static std::string Compose(const char* text, const Definitions& definitions = Definitions());
 

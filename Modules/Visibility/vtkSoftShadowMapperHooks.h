@@ -7,12 +7,12 @@
  * One program serves both stages, so that no program is rebuilt from frame to frame; the uniform
  * softShadowStage chooses between writing receivers and shading.
  *
- *  mark                     must be there              becomes
- *  //VTK::Light::Dec        always                     declarations, then the mark
- *  //VTK::Light::Impl       always                     own marks Receive and Shade, then the mark
- *  //VTK::Picking::Impl     with textures              the mark, then own mark Receive
- *  own mark Receive         vertexVC (lit surfaces)    writes position and plane
- *  own mark Shade           uniform lightColor<i>      multiplies the light's colour
+ *     mark                     must be there              becomes
+ *     //VTK::Light::Dec        always                     declarations, then the mark
+ *     //VTK::Light::Impl       always                     own marks Receive and Shade, then the mark
+ *     //VTK::Picking::Impl     with textures              the mark, then own mark Receive
+ *     own mark Receive         vertexVC (lit surfaces)    writes position and plane
+ *     own mark Shade           uniform lightColor<i>      multiplies the light's colour
  */
 
 #ifndef vtkSoftShadowMapperHooks_h

@@ -15,6 +15,8 @@
 #include "PngData.h"
 #include "Technique.h"
 
+#include "vtkSoftShadowsVersion.h"
+
 #include <vtksys/SystemTools.hxx>
 
 #include <cmath>

@@ -37,6 +37,7 @@ struct RenderOptions
   std::string Visibility;
   std::string Report;
   std::string TechniqueName = "pcss";
+  std::string Quality = "good";
   std::vector<std::string> Options;
   std::vector<std::string> ModelFolders;
   UpAxis Up = UpAxis::Y;
@@ -110,12 +111,12 @@ void WriteText(const std::string& path, const std::string& text)
 //--------------------------------------------------------------------------------------------------
 void Render(const RenderOptions& options)
 {
-  OptionTexts optionTexts;
+  const Technique& technique = FindTechnique(options.TechniqueName);
+  OptionTexts optionTexts = technique.FindQuality(options.Quality);
   for (const std::string& text : options.Options)
   {
-    optionTexts.push_back(SplitOption(text));
+    optionTexts.push_back(SplitOption(text)); // later ones win
   }
-  const Technique& technique = FindTechnique(options.TechniqueName);
   const vtkSmartPointer<vtkSoftShadowPass> pass = CreatePass(technique, optionTexts);
   CheckFormats(options);
 
@@ -169,6 +170,10 @@ void AddRenderCommand(CLI::App& app)
   command
     ->add_option("--technique", options->TechniqueName,
       "How shadows are made; see softshadow --list-techniques")
+    ->capture_default_str();
+  command
+    ->add_option("--quality", options->Quality,
+      "Settings of the technique: draft, good (its defaults) or best; an --option wins over them")
     ->capture_default_str();
   AddRepeated(command, "--option", options->Options,
     "NAME=VALUE: an option of the technique; may be given again")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // softshadow: the command-line tool. A command is one file and one line here.
 
+#include "CommandHelp.h"
 #include "CompareCommand.h"
 #include "RenderCommand.h"
 
@@ -38,6 +39,7 @@ int Run(int argc, char** argv)
   softshadows::AddReferenceCommand(app);
   softshadows::AddBenchmarkCommand(app);
 #endif
+  softshadows::AddHelp(app);
   app.require_subcommand(0, 1);
   try
   {

@@ -34,6 +34,8 @@ Technique MakeBilateralTechnique()
     pass, MaximumWidth, "maximum_width", "the widest kernel of adaptive, in pixels"));
   technique.Options.push_back(
     SOFTSHADOWS_FLAG_OPTION(pass, SecondAxisFirst, "second_axis_first", "filter along y before x"));
+  technique.Draft = { { "samples", "5" }, { "map_size", "512" } };
+  technique.Best = { { "samples", "100" } };
   return technique;
 }
 

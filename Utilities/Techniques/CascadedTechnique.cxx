@@ -82,6 +82,9 @@ Technique MakeCascadedTechnique()
     pass, FitToView, "fit_to_view", "cut the maps to what each cascade sees"));
   technique.Options.push_back(
     SOFTSHADOWS_FLAG_OPTION(pass, Tint, "tint", "tint the picture by cascade"));
+  technique.Draft = { { "edge_0", "2" }, { "edge_1", "2" }, { "edge_2", "1" } };
+  technique.Best = { { "edge_0", "9" }, { "edge_1", "9" }, { "edge_2", "9" }, { "filter_0", "3" },
+    { "map_size", "2048" } };
   return technique;
 }
 
@@ -92,6 +95,8 @@ Technique MakeAdaptiveSampledTechnique()
   Technique technique = MakeTechnique(
     "fassalss", "hard shadows from as many points of the light as each pixel needs", pass);
   AddRefinementOptions(technique, pass);
+  technique.Draft = { { "level", "1" }, { "map_size", "512" } };
+  technique.Best = { { "tolerance", "0.005" }, { "map_size", "2048" } };
   return technique;
 }
 

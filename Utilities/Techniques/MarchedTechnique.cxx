@@ -23,6 +23,8 @@ Technique MakeMarchedTechnique()
     pass, Thickness, "thickness", "how thick a blocker is taken to be, in steps"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
+  technique.Draft = { { "rays", "16" }, { "steps", "8" }, { "map_size", "512" } };
+  technique.Best = { { "rays", "16" }, { "steps", "8" }, { "split", "4" } };
   return technique;
 }
 

@@ -44,6 +44,8 @@ Technique MakeSeparableTechnique()
     pass, Footprint, "footprint", "search only where rays to the light can meet a blocker"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, RowAxis, "row_axis", "axis of the light that rows lie along", { "s", "t" }));
+  technique.Draft = { { "search_width", "7" }, { "filter_width", "15" }, { "map_size", "512" } };
+  technique.Best = { { "split", "4" } };
   return technique;
 }
 
@@ -57,6 +59,8 @@ Technique MakeScreenSpaceTechnique()
   AddKernelOptions(technique, pass);
   technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
     pass, Beta, "beta", "distance to the plane that taps fade over, in view distances"));
+  technique.Draft = { { "search_width", "7" }, { "filter_width", "15" }, { "map_size", "512" } };
+  technique.Best = { { "split", "4" } };
   return technique;
 }
 

@@ -102,6 +102,31 @@ const TechniqueOption& Technique::FindOption(const std::string& name) const
 }
 
 //--------------------------------------------------------------------------------------------------
+const std::vector<std::string>& GetQualities()
+{
+  static const std::vector<std::string> qualities = { "draft", "good", "best" };
+  return qualities;
+}
+
+//--------------------------------------------------------------------------------------------------
+const OptionTexts& Technique::FindQuality(const std::string& name) const
+{
+  static const OptionTexts defaults;
+  switch (PlaceOf(GetQualities(), name))
+  {
+    case 0:
+      return this->Draft;
+    case 1:
+      return defaults;
+    case 2:
+      return this->Best;
+    default:
+      throw std::runtime_error(
+        "there is no quality '" + name + "'; " + DidYouMean(name, GetQualities()));
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
 const Technique& FindTechnique(const std::string& name)
 {
   std::vector<std::string> known;
@@ -141,6 +166,17 @@ vtkSmartPointer<vtkSoftShadowPass> CreatePass(
 }
 
 //--------------------------------------------------------------------------------------------------
+std::string SpellOptions(const OptionTexts& options)
+{
+  std::string text;
+  for (const auto& [name, value] : options)
+  {
+    text += (text.empty() ? "" : " ") + name + "=" + value;
+  }
+  return text.empty() ? "the defaults" : text;
+}
+
+//--------------------------------------------------------------------------------------------------
 void PrintTechniques(std::ostream& os)
 {
   for (const Technique& technique : GetTechniques())
@@ -151,6 +187,11 @@ void PrintTechniques(std::ostream& os)
     {
       os << "    " << option.Name << "=" << option.Spell(option.Get(pass)) << "  ("
          << option.SpellRange() << ")\n        " << option.Meaning << '\n';
+    }
+    for (const std::string& quality : GetQualities())
+    {
+      os << "    quality " << quality << ": " << SpellOptions(technique.FindQuality(quality))
+         << '\n';
     }
   }
 }

@@ -53,25 +53,37 @@ struct TechniqueOption
   std::string SpellRange() const;
 };
 
+/// A name and a text for each option to be set.
+using OptionTexts = std::vector<std::pair<std::string, std::string>>;
+
 struct Technique
 {
   std::string Name;
   std::string Meaning; ///< A line for the user.
   std::function<vtkSmartPointer<vtkSoftShadowPass>()> Create;
   std::vector<TechniqueOption> Options;
+  ///@{
+  /// Settings for a first look, and for the least error; Documentation/Choosing.md has the figures
+  /// they were chosen by. What a pass has by default lies between.
+  OptionTexts Draft;
+  OptionTexts Best;
+  ///@}
 
   /// Throws std::runtime_error that names the nearest and lists all.
   const TechniqueOption& FindOption(const std::string& name) const;
+
+  /// The settings of a quality. Throws std::runtime_error that lists all.
+  const OptionTexts& FindQuality(const std::string& name) const;
 };
+
+/// draft, good (the passes' defaults) and best.
+const std::vector<std::string>& GetQualities();
 
 /// All techniques there are, the simplest first.
 const std::vector<Technique>& GetTechniques();
 
 /// Throws std::runtime_error that names the nearest and lists all.
 const Technique& FindTechnique(const std::string& name);
-
-/// A name and a text for each option to be set.
-using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// Cuts NAME=VALUE. Throws std::runtime_error for texts of another form.
 std::pair<std::string, std::string> SplitOption(const std::string& text);
@@ -83,7 +95,10 @@ std::pair<std::string, std::string> SplitOption(const std::string& text);
 vtkSmartPointer<vtkSoftShadowPass> CreatePass(
   const Technique& technique, const OptionTexts& options);
 
-/// One line per technique that starts with its name, its options below, indented.
+/// "samples=16 map_size=512", and "the defaults" where there are none.
+std::string SpellOptions(const OptionTexts& options);
+
+/// One line per technique that starts with its name, its options and qualities below, indented.
 void PrintTechniques(std::ostream& os);
 
 }

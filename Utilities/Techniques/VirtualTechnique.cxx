@@ -33,6 +33,8 @@ Technique MakeVirtualTechnique()
     SOFTSHADOWS_INTEGER_OPTION(pass, MaximumTiles, "maximum_tiles", "the most tiles of a light"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, DebugView, "debug_view",
     "what is shown in place of visibility", { "none", "tiles", "resolution", "kernel" }));
+  technique.Draft = { { "quality", "0.5" } };
+  technique.Best = { { "split", "4" } };
   return technique;
 }
 
