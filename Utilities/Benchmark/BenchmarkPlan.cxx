@@ -19,8 +19,14 @@ namespace
 constexpr const char* MapSizes[] = { "512", "1024", "2048", "4096" };
 /// The first is what the reports show pictures of.
 constexpr const char* Samples[] = { "16", "1", "4", "64", "256" };
+/// For techniques that make more of few samples.
+constexpr const char* FewSamples[] = { "4", "16" };
 /// Blocker search and filter, as published for separable soft shadow mapping.
 constexpr const char* Kernels[][2] = { { "7", "15" }, { "11", "21" }, { "29", "41" } };
+/// Rivals of papers, which have one setting.
+constexpr const char* Rivals[] = { "ssabss", "fassalss" };
+/// Compact, contacts, fine leaves, many depths.
+constexpr const char* QuickScenes[] = { "bunny", "assembly", "foliage", "fused" };
 
 //--------------------------------------------------------------------------------------------------
 class Plan
@@ -54,34 +60,49 @@ TechniqueOptions With(const KnownTechnique& technique, const TechniqueOptions& m
 }
 
 //--------------------------------------------------------------------------------------------------
-void AddTechnique(const KnownTechnique& technique, bool quick, Plan& plan)
+void AddFew(const KnownTechnique& technique, Plan& plan)
+{
+  TechniqueOptions options = With(technique, { { "map_size", "1024" } });
+  if (technique.Name == "sampled")
+  {
+    for (const char* samples : { "16", "1" })
+    {
+      options["samples"] = samples;
+      plan.Add(technique.Name, options);
+    }
+    return;
+  }
+  plan.Add(technique.Name, options);
+}
+
+//--------------------------------------------------------------------------------------------------
+void AddMain(const KnownTechnique& technique, Plan& plan)
 {
   const auto add = [&](const TechniqueOptions& options)
   { plan.Add(technique.Name, With(technique, options)); };
-  if (technique.Has("samples"))
+  if (technique.Name == "sampled")
   {
     for (const char* samples : Samples)
     {
-      const bool isWanted = !quick || samples == std::string("1") || samples == std::string("16");
-      if (isWanted)
-      {
-        add({ { "map_size", "1024" }, { "samples", samples } });
-      }
+      add({ { "map_size", "1024" }, { "samples", samples } });
     }
-  }
-  else if (quick)
-  {
-    add({ { "map_size", "1024" } });
-  }
-  if (quick)
-  {
     return;
   }
   add({});
-  add({ { "split", "2" } });
-  for (const char* size : MapSizes)
+  if (std::find(std::begin(Rivals), std::end(Rivals), technique.Name) != std::end(Rivals))
   {
-    add({ { "map_size", size } });
+    return;
+  }
+  if (technique.Has("samples"))
+  {
+    for (const char* samples : FewSamples)
+    {
+      add({ { "map_size", "1024" }, { "samples", samples } });
+    }
+  }
+  if (technique.Has("rays") && technique.Has("steps"))
+  {
+    add({ { "rays", "16" }, { "steps", "8" } });
   }
   for (const auto& kernel : Kernels)
   {
@@ -90,16 +111,39 @@ void AddTechnique(const KnownTechnique& technique, bool quick, Plan& plan)
       add({ { "search_width", kernel[0] }, { "filter_width", kernel[1] } });
     }
   }
+  if (technique.Has("split") && !technique.Has("samples"))
+  {
+    add({ { "split", "2" } });
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void AddMapSizes(const KnownTechnique& technique, Plan& plan)
+{
+  const bool isRival =
+    std::find(std::begin(Rivals), std::end(Rivals), technique.Name) != std::end(Rivals);
+  for (const char* size : MapSizes)
+  {
+    TechniqueOptions options{ { "map_size", size } };
+    if (technique.Name == "sampled")
+    {
+      options["samples"] = "16";
+    }
+    if (!isRival)
+    {
+      plan.Add(technique.Name, With(technique, options));
+    }
+  }
 }
 
 //--------------------------------------------------------------------------------------------------
 BenchmarkScene MakeScene(const std::string& name, const SceneDescription& description,
-  const std::shared_ptr<ModelStore>& models, bool quick)
+  const std::shared_ptr<ModelStore>& models)
 {
   BenchmarkScene scene;
   scene.Name = name;
-  scene.Width = quick ? 320 : description.Width;
-  scene.Height = quick ? 240 : description.Height;
+  scene.Width = description.Width;
+  scene.Height = description.Height;
   scene.Make = [description, models] { return BuildScene(description, *models).Renderer; };
   return scene;
 }
@@ -211,28 +255,35 @@ bool KnownTechnique::Has(const std::string& option) const
 
 //--------------------------------------------------------------------------------------------------
 std::vector<ContestantChoice> PlanContestants(
-  const std::vector<KnownTechnique>& techniques, bool quick)
+  const std::vector<KnownTechnique>& techniques, PlanSize size)
 {
   Plan plan;
   plan.Add("plain", {});
   plan.Add("vtk", { { "map_size", "1024" } });
+  for (const KnownTechnique& technique : techniques)
+  {
+    size == PlanSize::Few ? AddFew(technique, plan) : AddMain(technique, plan);
+  }
   for (const char* samples : Samples)
   {
-    if (!quick || samples == std::string("4") || samples == std::string("64"))
+    if (size != PlanSize::Few || samples == std::string("16"))
     {
       plan.Add("rays", { { "samples", samples } });
     }
   }
   for (const KnownTechnique& technique : techniques)
   {
-    AddTechnique(technique, quick, plan);
+    if (size == PlanSize::All)
+    {
+      AddMapSizes(technique, plan);
+    }
   }
   return plan.Choices;
 }
 
 //--------------------------------------------------------------------------------------------------
 std::vector<BenchmarkScene> PlanScenes(
-  const std::string& folder, const std::vector<std::string>& modelFolders, bool quick)
+  const std::string& folder, const std::vector<std::string>& modelFolders)
 {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -250,7 +301,7 @@ std::vector<BenchmarkScene> PlanScenes(
     const std::string name = file.stem().string();
     try
     {
-      scenes.push_back(MakeScene(name, ReadScene(file.string()), models, quick));
+      scenes.push_back(MakeScene(name, ReadScene(file.string()), models));
     }
     catch (const std::exception& error)
     {
@@ -261,18 +312,75 @@ std::vector<BenchmarkScene> PlanScenes(
   }
   const auto addGrowing = [&](const std::string& family, int count, SceneDescription (*make)(int))
   {
-    scenes.push_back(MakeScene(family + std::to_string(count), make(count), models, quick));
+    scenes.push_back(MakeScene(family + std::to_string(count), make(count), models));
     scenes.back().Grows = true;
   };
-  for (int count = 10; !quick && count <= 1000; count *= 10)
+  for (int count = 10; count <= 1000; count *= 10)
   {
     addGrowing("actors-", count, MakeManyActors);
   }
-  for (int count = 1000; !quick && count <= 1000000; count *= 10)
+  for (int count = 1000; count <= 1000000; count *= 10)
   {
     addGrowing("triangles-", count, MakeManyTriangles);
   }
   return scenes;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::vector<BenchmarkScene> PlanQuickScenes(const std::vector<BenchmarkScene>& scenes)
+{
+  const auto isChosen = [](const BenchmarkScene& scene)
+  {
+    return std::find(std::begin(QuickScenes), std::end(QuickScenes), scene.Name) !=
+      std::end(QuickScenes);
+  };
+  const bool isOurs = std::any_of(scenes.begin(), scenes.end(), isChosen);
+  std::vector<BenchmarkScene> few;
+  for (const BenchmarkScene& scene : scenes)
+  {
+    if (isOurs ? isChosen(scene) : !scene.Grows)
+    {
+      few.push_back(scene);
+      few.back().Width = 240;
+      few.back().Height = 180;
+    }
+  }
+  return few;
+}
+
+//--------------------------------------------------------------------------------------------------
+BenchmarkScene MakeGridScene()
+{
+  SceneDescription grid = MakeStage();
+  grid.Camera->Position = { { 0.0, -6.0, 1.5 } };
+  grid.Camera->FocalPoint = { { 0.0, 0.0, 0.5 } };
+  grid.Lights[0].Position = { { 0.0, 0.0, 30.0 } };
+  grid.Lights[0].Size = { { 0.001, 0.001 } };
+  grid.Lights[0].ConeAngle = 60.0;
+  for (int i = -40; i <= 40; ++i)
+  {
+    const double at = 0.25 * i;
+    for (const BoxShape& bar : { BoxShape{ { { at - 0.04, at + 0.04, -10.0, 10.0, 2.0, 2.02 } } },
+           BoxShape{ { { -10.0, 10.0, at - 0.04, at + 0.04, 2.0, 2.02 } } } })
+    {
+      grid.Objects.emplace_back();
+      grid.Objects.back().Shape = bar;
+    }
+  }
+  BenchmarkScene scene = MakeScene("grid", grid, std::make_shared<ModelStore>());
+  scene.Grows = true;
+  return scene;
+}
+
+//--------------------------------------------------------------------------------------------------
+double ShareOfTime(const std::vector<BenchmarkScene>& scenes, size_t next, double secondsLeft)
+{
+  double shares = 0.0;
+  for (size_t i = next; i < scenes.size(); ++i)
+  {
+    shares += scenes[i].Grows ? 1.0 : 3.0;
+  }
+  return shares > 0.0 ? secondsLeft * (scenes[next].Grows ? 1.0 : 3.0) / shares : 0.0;
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is made of results, on results made by hand.
 #include "BenchmarkCharts.h"
-#include "BenchmarkPlan.h"
 #include "HtmlReport.h"
 #include "MarkdownReport.h"
-#include "PaperTables.h"
 #include "PngData.h"
 
 #include <gtest/gtest.h>
@@ -113,46 +111,6 @@ TEST(MarkdownReport, HasALinePerContestantWithTheFrontInBold)
   EXPECT_NE(text.str().find("| odd | is not built |"), std::string::npos);
   EXPECT_NE(text.str().find("(Images/speed-box.png)"), std::string::npos);
   EXPECT_EQ(plots.count("speed-box.png"), 1U);
-}
-
-//--------------------------------------------------------------------------------------------------
-TEST(PaperTables, RowsOfATableShareSceneAndLight)
-{
-  for (const char* paper : { "pcss", "sssm", "cascaded", "sbfs", "pvssm" })
-  {
-    for (const PaperTable& table : GetPaperTables(paper))
-    {
-      ASSERT_GE(table.Rows.size(), 2U) << table.Title;
-      for (const PaperRow& row : table.Rows)
-      {
-        EXPECT_EQ(row.Scene, table.Rows.front().Scene) << table.Title << ": " << row.Label;
-        EXPECT_EQ(row.LightScale, table.Rows.front().LightScale) << table.Title;
-      }
-    }
-  }
-  EXPECT_THROW(GetPaperTables("nonsense"), std::runtime_error);
-}
-
-//--------------------------------------------------------------------------------------------------
-TEST(BenchmarkPlan, HasPeersAndEveryTechniqueOnceWithEachSetting)
-{
-  const std::vector<KnownTechnique> known = { { "sampled", { "map_size", "samples", "weights" } },
-    { "pcss", { "map_size", "search_width", "filter_width", "weights", "split" } } };
-  const std::vector<ContestantChoice> all = PlanContestants(known, false);
-  std::set<std::string> names;
-  for (const ContestantChoice& choice : all)
-  {
-    EXPECT_TRUE(names.insert(choice.GetName()).second) << choice.GetName() << " is there twice";
-  }
-  for (const char* name : { "plain", "vtk map_size=1024", "rays samples=256",
-         "sampled map_size=1024 samples=256 weights=mean", "pcss weights=mean",
-         "pcss filter_width=41 search_width=29 weights=mean", "pcss split=2 weights=mean" })
-  {
-    EXPECT_EQ(names.count(name), 1U) << name;
-  }
-  EXPECT_LT(PlanContestants(known, true).size(), 10U);
-  EXPECT_EQ(SelectTechniques(all, { "plain" }).size(), 1U);
-  EXPECT_THROW(SelectTechniques(all, { "nonsense" }), std::runtime_error);
 }
 
 }
