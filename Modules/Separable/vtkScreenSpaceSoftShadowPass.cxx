@@ -92,7 +92,8 @@ void vtkScreenSpaceSoftShadowPass::DrawHardShadow(const vtkSoftShadowContext& co
     program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
   program->SetUniformi("depthMaps", context.Maps->GetTexture()->Activate());
   program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
-  impl.Target.Draw(context.Window, impl.Hard.GetShader(), { { impl.HardShadows, 1.0f } }, 0);
+  impl.Target.Draw(context.Window, impl.Hard.GetShader(), { { impl.HardShadows, 1.0f } },
+    context.Marks, [](bool) {});
   context.Maps->GetTexture()->Deactivate();
   context.Receivers->Deactivate();
 }

@@ -182,10 +182,13 @@ std::array<float, 3> vtkSeparableSoftShadowPass::GetRowWeights(
 void vtkSeparableSoftShadowPass::DrawRows(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  if (this->UseStep(impl.Rows.GetShader(), context))
+  if (vtkShaderProgram* program = this->UseStep(impl.Rows.GetShader(), context))
   {
+    // Nothing that the footprint lets pass lies over a pixel that was proved lit: it has an empty row.
+    const auto setPart = [this, program](bool proved)
+    { program->SetUniformi("provedByFootprint", proved && this->Footprint ? 1 : 0); };
     impl.Target.Draw(context.Window, impl.Rows.GetShader(),
-      { { impl.Points, 0.0f }, { impl.SearchRows, 0.0f } }, 0);
+      { { impl.Points, 0.0f }, { impl.SearchRows, 0.0f } }, context.Marks, setPart);
     context.Maps->GetTexture()->Deactivate();
     context.Receivers->Deactivate();
   }
