@@ -64,6 +64,8 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
   /// Which of the lit lights, in the renderer's order, and which of its emitters (faces x parts).
   int Light = 0;
   int Part = 0;
+  /// That light itself.
+  vtkLight* Source = nullptr;
   /// Which axis of the cube a face of an omni light looks along; -1 for other lights.
   int FaceAxis = -1;
   /// The emitter; Weight is what its visibility is multiplied by.
