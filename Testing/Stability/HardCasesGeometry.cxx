@@ -78,7 +78,8 @@ HardScene GrazingView()
   const BasicScene scene = MakeBasicScene();
   scene.Renderer->GetActiveCamera()->SetPosition(0.0, -5.0, 0.05);
   scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
-  return Finish(scene);
+  scene.Renderer->GetActiveCamera()->SetClippingRange(0.01, 20.0);
+  return scene;
 }
 
 //------------------------------------------------------------------------------
@@ -262,13 +263,13 @@ HardScene MillionTriangles()
 }
 
 //------------------------------------------------------------------------------
-/// One triangle as ground, a million times the size of what stands on it.
+/// One triangle as ground, ten thousand times the size of what stands on it.
 HardScene HugeTriangle()
 {
   const BasicScene scene = MakeBasicScene();
   scene.Renderer->RemoveActor(scene.Ground);
   scene.Renderer->AddActor(MakeMeshActor(
-    MakeTriangles({ { { -1e6, -1e6, 0.0 } }, { { 2e6, -1e6, 0.0 } }, { { -1e6, 2e6, 0.0 } } })));
+    MakeTriangles({ { { -1e4, -1e4, 0.0 } }, { { 2e4, -1e4, 0.0 } }, { { -1e4, 2e4, 0.0 } } })));
   scene.Renderer->GetActiveCamera()->SetClippingRange(1.0, 20.0);
   return scene;
 }
@@ -342,7 +343,7 @@ const std::vector<HardCase>& GeometryCases()
     { "SmoothShading", "", Blockers::Compact, shaded(VTK_PHONG) },
     { "MillionTriangles", "a ball of 1006780 triangles", Blockers::Compact, MillionTriangles, false,
       0.02, Effort::Quick },
-    { "HugeTriangle", "the ground one triangle of 3e6", Blockers::Compact, HugeTriangle },
+    { "HugeTriangle", "the ground one triangle of 3e4", Blockers::Compact, HugeTriangle },
   };
   return cases;
 }

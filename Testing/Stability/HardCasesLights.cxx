@@ -96,6 +96,7 @@ HardScene WithTheCamera(bool headlight)
   if (headlight)
   {
     light->SetLightTypeToHeadlight();
+    light->SetSize(1.0, 1.0); // where the camera is, a small one would show no shadow
   }
   else
   {
@@ -176,7 +177,7 @@ const std::vector<HardCase>& LightCases()
       [] { return Bulb(90.0); } },
     { "Cone120", "a vtkLight with a cone of 120 degrees", Blockers::OneDepth,
       [] { return Bulb(120.0); } },
-    { "Headlight", "a headlight of 0.4", Blockers::Compact, [] { return WithTheCamera(true); } },
+    { "Headlight", "a headlight of 1", Blockers::Compact, [] { return WithTheCamera(true); } },
     { "CameraLight", "a camera light of 0.1 of the camera's distance", Blockers::Compact,
       [] { return WithTheCamera(false); } },
     { "LightTransform", "a lamp placed by its own matrix", Blockers::Compact, Transformed },
