@@ -49,12 +49,6 @@ std::vector<BenchmarkScene> PlanScenes(
 /// grow.
 std::vector<BenchmarkScene> PlanQuickScenes(const std::vector<BenchmarkScene>& scenes);
 
-/**
- * Bars parallel to a floor that reaches to the horizon, under a lamp that is nearly a point: shadows
- * finer than pixels (Shen et al. 2011, figure 11).
- */
-BenchmarkScene MakeGridScene();
-
 /// Seconds for one of the scenes that are left, growing ones a third of the others; 0 for no limit.
 double ShareOfTime(const std::vector<BenchmarkScene>& scenes, size_t next, double secondsLeft);
 

@@ -9,6 +9,7 @@
 #include "BenchmarkOptions.h"
 #include "BenchmarkPlan.h"
 #include "BenchmarkReport.h"
+#include "BenchmarkScenes.h"
 #include "HtmlReport.h"
 #include "MachineContext.h"
 #include "MarkdownReport.h"
@@ -136,10 +137,9 @@ void PrintPlan(const BenchmarkOptions& options, const std::vector<BenchmarkScene
 }
 
 //--------------------------------------------------------------------------------------------------
-void WriteDocuments(const BenchmarkOptions& options, const BenchmarkResults& results)
+void WriteDocument(const BenchmarkOptions& options, const BenchmarkResults& results)
 {
-  ShowLine("Writing the page", false);
-  WriteFile(options.Output + "/benchmark.html", [&](std::ostream& os) { WriteHtml(os, results); });
+  ShowLine("Writing the document", false);
   std::map<std::string, ColorImage> plots;
   WriteFile(options.Output + "/benchmark.md",
     [&](std::ostream& os) { plots = WriteMarkdown(os, results, "Images"); });
@@ -149,7 +149,6 @@ void WriteDocuments(const BenchmarkOptions& options, const BenchmarkResults& res
     WriteFile(options.Output + "/Images/" + plot.first,
       [&](std::ostream& os) { os << EncodePng(plot.second); });
   }
-  ShowLine("Written: benchmark.json, .csv, .html and .md in " + options.Output, true);
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -251,11 +250,18 @@ void RunScenes(const BenchmarkOptions& options, const std::vector<BenchmarkScene
     }
     SetSceneTime(runner, ShareOfTime(scenes, i, left.Get()));
     results.Scenes.push_back(runner.Run(scenes[i], choices));
+    // What has been measured so far survives whatever happens next.
     WriteNumbers(options, results);
+    if (!scenes[i].Grows || i + 1 == scenes.size())
+    {
+      WriteDocument(options, results);
+    }
   }
   if (!options.ReferencesOnly)
   {
-    WriteDocuments(options, results);
+    WriteFile(
+      options.Output + "/benchmark.html", [&](std::ostream& os) { WriteHtml(os, results); });
+    ShowLine("Written: benchmark.json, .csv, .html and .md in " + options.Output, true);
   }
 }
 

@@ -76,6 +76,41 @@ TEST(BenchmarkCharts, SeriesAreTechniquesInOrderOfTheOption)
 }
 
 //--------------------------------------------------------------------------------------------------
+TEST(BenchmarkCharts, KernelWidthsMakeOneSeriesThoughTheSearchGrowsToo)
+{
+  SceneResult scene;
+  for (const int width : { 15, 41 })
+  {
+    scene.Contestants.push_back(MakeResult("pcss", 1.0 * width, 0.1));
+    scene.Contestants.back().Options = { { "filter_width", std::to_string(width) },
+      { "search_width", std::to_string(width / 2) }, { "weights", "mean" } };
+  }
+  const ChartDescription chart = TimeAgainstOption(scene, "filter_width");
+  ASSERT_EQ(chart.Series.size(), 1U);
+  EXPECT_EQ(chart.Series[0].Name, "pcss");
+  EXPECT_EQ(chart.Series[0].Y, (std::vector<double>{ 15.0, 41.0 }));
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(BenchmarkCharts, PlotOfAllScenesHasGeometricMeansOfCompleteContestants)
+{
+  BenchmarkResults results;
+  results.Scenes.resize(3);
+  results.Scenes[0].Name = "a";
+  results.Scenes[0].Contestants = { MakeResult("good", 10.0, 0.01), MakeResult("once", 1.0, 0.5) };
+  results.Scenes[1].Name = "b";
+  results.Scenes[1].Contestants = { MakeResult("good", 40.0, 0.04) };
+  results.Scenes[2].Name = "actors-10";
+  results.Scenes[2].Contestants = { MakeResult("good", 1e6, 1.0) };
+  const ChartDescription chart = SpeedAgainstErrorOfAll(results);
+  ASSERT_EQ(chart.Series.size(), 2U) << "the front and one technique";
+  EXPECT_TRUE(chart.Series[0].IsFront);
+  ASSERT_EQ(chart.Series[1].X.size(), 1U);
+  EXPECT_NEAR(chart.Series[1].X[0], 20.0, 1e-9);
+  EXPECT_NEAR(chart.Series[1].Y[0], 0.02, 1e-12);
+}
+
+//--------------------------------------------------------------------------------------------------
 TEST(HtmlReport, NumbersHaveFourDigitsAndTextIsEscaped)
 {
   EXPECT_EQ(FormatNumber(0.0123456), "0.01235");
