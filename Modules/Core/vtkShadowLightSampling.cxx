@@ -33,6 +33,28 @@ double SobolSecond(unsigned int i)
   return bits / 4294967296.0;
 }
 
+unsigned int ReverseBits(unsigned int bits)
+{
+  unsigned int reversed = 0;
+  for (int i = 0; i < 32; ++i, bits >>= 1)
+  {
+    reversed = (reversed << 1) | (bits & 1u);
+  }
+  return reversed;
+}
+
+// Flips each digit of a number in [0, 1) by a hash of the digits before it.
+double ScrambleDigits(double number, unsigned int seed)
+{
+  unsigned int bits = ReverseBits(static_cast<unsigned int>(number * 4294967296.0));
+  bits += seed;
+  bits ^= bits * 0x6c50b47cu;
+  bits ^= bits * 0xb82f1e52u;
+  bits ^= bits * 0xc7afe638u;
+  bits ^= bits * 0x8d22f6e6u;
+  return (ReverseBits(bits) + 0.5) / 4294967296.0;
+}
+
 // Columns of a grid of exactly count cells that is nearly square; 0 if there is none.
 int FindColumns(int count)
 {
@@ -64,7 +86,40 @@ void MapToSun(double& u, double& v, double tangentOfSun)
   v *= stretch;
 }
 
+// From the square to the emitter's shape, and the weight there.
+void PlaceOnEmitter(
+  const vtkShadowEmitter& emitter, int weights, vtkShadowLightSampling::Sample& sample)
+{
+  if (emitter.Shape == vtkShadowEmitter::DISK)
+  {
+    vtkShadowLightSampling::MapToDisk(sample.U, sample.V);
+    if (emitter.Directional)
+    {
+      MapToSun(sample.U, sample.V, emitter.HalfSize[0]);
+    }
+  }
+  const double window[2] = { emitter.WindowCenter[0] + sample.U * emitter.WindowHalfSize[0],
+    emitter.WindowCenter[1] + sample.V * emitter.WindowHalfSize[1] };
+  sample.Weight = weights == vtkShadowLightSampling::GAUSSIAN
+    ? std::exp(-2.0 * (window[0] * window[0] + window[1] * window[1]))
+    : 1.0;
+}
+
 } // namespace
+
+//------------------------------------------------------------------------------
+vtkShadowLightSampling::Sample vtkShadowLightSampling::PointOfSequence(
+  const vtkShadowEmitter& emitter, unsigned int index, int weights)
+{
+  Sample sample = { 0.0, 0.0, 1.0 };
+  if (emitter.HasExtent())
+  {
+    sample.U = 2.0 * ScrambleDigits(SobolSecond(index), 0x3a2c5d1bu) - 1.0;
+    sample.V = 2.0 * ScrambleDigits(RadicalInverse(index), 0x9e3779b9u) - 1.0;
+    PlaceOnEmitter(emitter, weights, sample);
+  }
+  return sample;
+}
 
 //------------------------------------------------------------------------------
 std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
@@ -94,18 +149,7 @@ std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
       // Half a step of the last digit centres the radical inverse, whose mean is under 1/2.
       sample.V = 2.0 * (RadicalInverse(i) + 0.5 / count) - 1.0;
     }
-    if (emitter.Shape == vtkShadowEmitter::DISK)
-    {
-      MapToDisk(sample.U, sample.V);
-      if (emitter.Directional)
-      {
-        MapToSun(sample.U, sample.V, emitter.HalfSize[0]);
-      }
-    }
-    const double window[2] = { emitter.WindowCenter[0] + sample.U * emitter.WindowHalfSize[0],
-      emitter.WindowCenter[1] + sample.V * emitter.WindowHalfSize[1] };
-    sample.Weight =
-      weights == GAUSSIAN ? std::exp(-2.0 * (window[0] * window[0] + window[1] * window[1])) : 1.0;
+    PlaceOnEmitter(emitter, weights, sample);
     sum += sample.Weight;
   }
   for (Sample& sample : samples)

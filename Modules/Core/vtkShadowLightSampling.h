@@ -56,6 +56,14 @@ struct VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowLightSampling
   static std::vector<Sample> Generate(
     const vtkShadowEmitter& emitter, int count, int pattern, int weights);
 
+  /**
+   * Point number index of an endless sequence on the emitter: Sobol's (0, 2)-sequence, each aligned
+   * run of 2^k points of which is well spread, its digits scrambled as Owen 1995 has it (by the hash
+   * of Laine and Karras 2011), so that runs are as good as independent. Weight is not divided by a
+   * sum: 1, or the value of the Gaussian. Without extent all points are the centre.
+   */
+  static Sample PointOfSequence(const vtkShadowEmitter& emitter, unsigned int index, int weights);
+
   /// [-1, 1]^2 to the unit disk, equal areas to equal areas (Shirley and Chiu 1997).
   static void MapToDisk(double& u, double& v);
 };

@@ -10,14 +10,18 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-void vtkSeparableTarget::Attach(
-  vtkOpenGLRenderWindow* window, const std::vector<Output>& outputs, unsigned int marks)
+void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader,
+  const std::vector<Output>& outputs, unsigned int marks)
 {
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  state->PushFramebufferBindings();
   if (!this->Framebuffer)
   {
     glGenFramebuffers(1, &this->Framebuffer);
   }
-  window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
   std::vector<unsigned int> buffers;
   for (size_t i = 0; i < outputs.size(); ++i)
   {
@@ -29,33 +33,8 @@ void vtkSeparableTarget::Attach(
     buffers.push_back(outputs[i].Texture ? attachment : GL_NONE);
   }
   glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, marks);
-  window->GetState()->vtkglDrawBuffers(static_cast<unsigned int>(buffers.size()), buffers.data());
-}
-
-//------------------------------------------------------------------------------
-// Nothing stays attached: it may be read by the next step.
-void vtkSeparableTarget::Detach(size_t outputs)
-{
-  for (size_t i = 0; i < outputs; ++i)
-  {
-    glFramebufferTextureLayer(
-      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(i), 0, 0, 0);
-  }
-  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader,
-  const std::vector<Output>& outputs, unsigned int marks, const PartSetter& setPart)
-{
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
-  state->PushFramebufferBindings();
-  this->Attach(window, outputs, marks);
+  state->vtkglDrawBuffers(static_cast<unsigned int>(buffers.size()), buffers.data());
   state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
   for (size_t i = 0; i < outputs.size(); ++i)
   {
     if (outputs[i].Texture)
@@ -64,21 +43,22 @@ void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& sh
       glClearBufferfv(GL_COLOR, static_cast<int>(i), value.data());
     }
   }
-  // Marks are depths: 1 where a pixel is filtered, 0 elsewhere; shaders draw at 0.5.
-  for (const bool proved : { false, true })
+  if (marks)
   {
-    if (proved && !setPart)
-    {
-      break;
-    }
-    if (setPart)
-    {
-      setPart(proved);
-    }
-    state->vtkglDepthFunc(proved ? GL_GREATER : GL_LESS);
-    shader.Draw();
+    state->vtkglEnable(GL_DEPTH_TEST);
   }
-  vtkSeparableTarget::Detach(outputs.size());
+  else
+  {
+    state->vtkglDisable(GL_DEPTH_TEST);
+  }
+  shader.Draw();
+  for (size_t i = 0; i < outputs.size(); ++i)
+  {
+    // Nothing stays attached: it may be read by the next step.
+    glFramebufferTextureLayer(
+      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(i), 0, 0, 0);
+  }
+  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
   state->PopFramebufferBindings();
 }
 

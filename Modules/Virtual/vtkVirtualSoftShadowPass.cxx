@@ -159,10 +159,7 @@ vtkVirtualSoftShadowPass::vtkVirtualSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualSoftShadowPass::~vtkVirtualSoftShadowPass()
-{
-  this->ReleaseBeforeDestruction();
-}
+vtkVirtualSoftShadowPass::~vtkVirtualSoftShadowPass() = default;
 
 //------------------------------------------------------------------------------
 void vtkVirtualSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)

@@ -130,6 +130,11 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
   this->Shade(s);
   impl.Timers.EndFrame();
   this->PostRender(s);
+  if (impl.HasNews)
+  {
+    impl.HasNews = false;
+    this->InvokeEvent(ConvergedEvent);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -175,17 +180,25 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
   impl.Timers.BeginStep("casters", true);
   impl.Casters->Update(s->GetRenderer());
   const bool anew = this->WantsVisibilityAnew();
-  if (!this->SignatureChanged(s) && !anew)
+  const bool changed = this->SignatureChanged(s);
+  const bool begun = impl.Schedule.IsStarted() || impl.Schedule.IsEnded();
+  if (!changed && (!anew || begun))
   {
+    if (this->GetRefining())
+    {
+      ScopedState scope(GetWindow(s)->GetState());
+      impl.Timers.BeginStep("refinement");
+      this->Refine(s);
+    }
     return;
   }
+  impl.Schedule.Reset();
   ScopedState scope(GetWindow(s)->GetState());
   impl.Timers.BeginStep("maps");
   this->BakeMaps(s);
   impl.Timers.BeginStep("receivers");
   this->DrawReceivers(s);
   impl.Timers.BeginStep("visibility");
-  impl.Statistics.TechniqueCounts.clear();
   this->EstimateLights(s);
   impl.Signature.Swap(impl.NextSignature);
   ++impl.Statistics.VisibilityFrames;
@@ -339,6 +352,14 @@ void vtkSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   impl.Timers.ReleaseGraphicsResources();
   impl.ProofShader.ReleaseGraphicsResources(window);
   impl.ConstantShader.ReleaseGraphicsResources(window);
+  impl.PointShader.ReleaseGraphicsResources(window);
+  impl.Accumulator.ReleaseGraphicsResources(window);
+  for (const auto& maps : impl.PointMaps)
+  {
+    maps.second->ReleaseGraphicsResources(window);
+  }
+  impl.PointMaps.clear();
+  impl.Schedule.Reset();
   for (const auto& maps : impl.Maps)
   {
     maps->ReleaseGraphicsResources(window);
@@ -361,6 +382,9 @@ void vtkSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Split: " << this->Split << "\n";
   os << indent << "EarlyOut: " << (this->EarlyOut ? "on" : "off") << "\n";
   os << indent << "MapMemory: " << this->MapMemory << " MiB\n";
+  os << indent << "Progressive: " << (this->Progressive ? "on" : "off") << "\n";
+  os << indent << "ProgressiveTolerance: " << this->ProgressiveTolerance << "\n";
+  os << indent << "ProgressivePoints: " << this->ProgressivePoints << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
 }
 VTK_ABI_NAMESPACE_END

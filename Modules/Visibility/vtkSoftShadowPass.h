@@ -11,7 +11,8 @@
  *  4. visibility: per light, prove pixels lit or blocked where the technique allows it, and let the
  *     technique estimate the rest, one emitter (a light or a part of one) at a time;
  *  5. shading: the mappers draw as ever, each light's colour multiplied by its visibility.
- * Steps 3 and 4 are skipped while neither camera, lights, props nor settings change.
+ * Steps 3 and 4 are skipped while neither camera, lights, props nor settings change; in progressive
+ * mode points of the lights are added to a running mean instead.
  *
  * Use as the opaque pass of a vtkRenderStepsPass:
  *
@@ -34,10 +35,8 @@
 #include "vtkSmartPointer.h"                         // For images
 #include "vtkSoftShadowStatistics.h"                 // For statistics
 #include "vtkSoftShadowsABI.h"                       // For the ABI namespace
-#include "vtkWrappingHints.h"                        // For VTK_WRAPEXCLUDE
 
 #include <memory> // For the implementation
-#include <string> // For names
 #include <vector> // For samples
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -64,8 +63,6 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
   /// Which of the lit lights, in the renderer's order, and which of its emitters (faces x parts).
   int Light = 0;
   int Part = 0;
-  /// That light itself.
-  vtkLight* Source = nullptr;
   /// Which axis of the cube a face of an omni light looks along; -1 for other lights.
   int FaceAxis = -1;
   /// The emitter; Weight is what its visibility is multiplied by.
@@ -144,32 +141,70 @@ public:
 
   ///@{
   /**
+   * Progressive mode: while neither scene, lights, camera, size nor settings change, each frame adds
+   * ProgressivePoints points of every light, in a low-discrepancy order and with a hard shadow each,
+   * to a running mean. The first frame is the technique's own; the mean takes over as its points
+   * become 256. It converges to the truth whatever the technique. The mean depends on the number of
+   * its points, not on that of the frames. Any change starts it again. Default is off.
+   *
+   * Frames are the application's to draw: while GetRefining() is true another one improves the
+   * picture. Afterwards a frame costs what it costs without progressive mode.
+   */
+  vtkSetMacro(Progressive, bool);
+  vtkGetMacro(Progressive, bool);
+  vtkBooleanMacro(Progressive, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The estimated error, of the worst tile of 32 x 32 pixels, under which the mean is good enough;
+   * in units of visibility, in [0.0001, 1]. Default is 0.02.
+   */
+  vtkSetClampMacro(ProgressiveTolerance, double, 0.0001, 1.0);
+  vtkGetMacro(ProgressiveTolerance, double);
+  ///@}
+
+  ///@{
+  /// Points of every light that a frame adds, in [1, 1024]. Default is 4.
+  vtkSetClampMacro(ProgressivePoints, int, 1, 1024);
+  vtkGetMacro(ProgressivePoints, int);
+  ///@}
+
+  /// Whether the estimated error of what is shown is under the tolerance.
+  bool GetConverged() const;
+
+  /**
+   * Whether another frame would improve the picture. False once converged, and also where no number
+   * of points can reach the tolerance because the maps, which grow to MapMemory and at most 4096
+   * texels, are too coarse for it.
+   */
+  bool GetRefining() const;
+
+  /**
+   * Standard error of the mean in the worst tile: a root mean square over its pixels, that of the
+   * points and that of the maps' texels. 1 before it is known.
+   */
+  double GetEstimatedError() const;
+
+  enum EventType
+  {
+    /// Invoked at the end of the frame in which the mean converged.
+    ConvergedEvent = 4200 // above vtkCommand::UserEvent
+  };
+
+  ///@{
+  /**
    * The visibility of a light in the last frame: float, one component, the size of the viewport,
    * bottom row first. NaN where there is no surface, where the surface receives no shadow or is
    * unlit, and outside the light's cone or behind it. Null if the light was not lit. Waits for the
-   * GPU and makes the context of the last frame's window current. Not wrapped: VTK 9.1 wraps no smart
-   * pointers.
+   * GPU; needs the window's context.
    */
-  VTK_WRAPEXCLUDE vtkSmartPointer<vtkImageData> GetVisibilityImage(vtkLight* light);
-  VTK_WRAPEXCLUDE vtkSmartPointer<vtkImageData> GetVisibilityImage(int litLight);
+  vtkSmartPointer<vtkImageData> GetVisibilityImage(vtkLight* light);
+  vtkSmartPointer<vtkImageData> GetVisibilityImage(int litLight);
   ///@}
 
   /// Linear view depth of the receivers in the last frame, NaN where there is no surface.
-  VTK_WRAPEXCLUDE vtkSmartPointer<vtkImageData> GetDepthImage();
-
-  /**
-   * Writes the visibility of a light in the last frame into an image: float, one component, the
-   * size of the viewport, bottom row first, 1 lit and 0 umbra. NaN where there is no surface, where
-   * the surface receives no shadow or is unlit, and outside the light's cone or behind it. Returns
-   * false, the image untouched, if the light was not lit. Makes the window's context current.
-   */
-  bool GetVisibilityImage(vtkLight* light, vtkImageData* image);
-
-  /**
-   * Writes the linear view depth of the receivers in the last frame into an image of the same form,
-   * NaN where there is no surface. Returns false, the image untouched, before the first frame.
-   */
-  bool GetDepthImage(vtkImageData* image);
+  vtkSmartPointer<vtkImageData> GetDepthImage();
 
   ///@{
   /**
@@ -182,15 +217,6 @@ public:
 
   /// Counts and times.
   const vtkSoftShadowStatistics& GetStatistics();
-
-  ///@{
-  /**
-   * One count or time of the statistics, for wrapped languages: its name is that in
-   * vtkSoftShadowStatistics::GetCounts ("maps_baked") or of a step ("shading"). -1 if there is none.
-   */
-  vtkTypeInt64 GetCount(const std::string& name);
-  double GetMilliseconds(const std::string& step);
-  ///@}
 
   /// A line per lit light of the renderer in the last frame: what it casts, or why it casts nothing.
   std::string GetLightReport() const;
@@ -312,6 +338,9 @@ protected:
   int Split = 1;
   bool EarlyOut = true;
   int MapMemory = 1024;
+  bool Progressive = false;
+  double ProgressiveTolerance = 0.02;
+  int ProgressivePoints = 4;
 
 private:
   vtkSoftShadowPass(const vtkSoftShadowPass&) = delete;
@@ -331,6 +360,11 @@ private:
   void EstimateLights(const vtkRenderState* s);
   void EstimateLight(vtkSoftShadowContext& context, int layer);
   void EstimatePart(vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex);
+  void Refine(const vtkRenderState* s);
+  bool BeginProgress(vtkOpenGLRenderWindow* window);
+  void AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
+  void AddPoint(vtkSoftShadowContext& context, int layer, int index);
+  void LookAtMean(vtkOpenGLRenderWindow* window);
   void DrawMarks(const vtkSoftShadowContext& context, const vtkShadowMapView* view);
 };
 

@@ -11,19 +11,24 @@
 #include "vtkNew.h" // For members
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShadowCasters.h"
+#include "vtkShadowDepthMaps.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
+#include "vtkSoftShadowAccumulator.h"
 #include "vtkSoftShadowLightMaps.h"
 #include "vtkSoftShadowMapperHooks.h"
 #include "vtkSoftShadowPass.h"
+#include "vtkSoftShadowSchedule.h"
 #include "vtkSoftShadowSignature.h"
 #include "vtkSoftShadowTarget.h"
 #include "vtkSoftShadowTimers.h"
 #include "vtkWeakPointer.h"
 
 #include "vtkSoftShadowConstantFS.h"
+#include "vtkSoftShadowPointFS.h"
 #include "vtkSoftShadowProofFS.h"
 
+#include <map>    // For maps by size
 #include <memory> // For light maps
 #include <string> // For reasons
 #include <vector> // For lists
@@ -35,15 +40,6 @@ class vtkSoftShadowPass::Internals
 public:
   /// The window whose context holds the resources, as long as it lives.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-
-  // What is read back lies in the window of the last frame, whichever has rendered or died since.
-  void MakeCurrent()
-  {
-    if (this->Window)
-    {
-      this->Window->MakeCurrent();
-    }
-  }
 
   /// A lit light of the frame.
   struct LitLight
@@ -68,6 +64,21 @@ public:
 
   vtkShadowShader ProofShader{ vtkSoftShadowProofFS };
   vtkShadowShader ConstantShader{ vtkSoftShadowConstantFS };
+
+  /// The running mean while nothing changes.
+  vtkSoftShadowSchedule Schedule;
+  vtkSoftShadowAccumulator Accumulator;
+  std::map<int, vtkNew<vtkShadowDepthMaps>> PointMaps; // of one point, by size
+  std::vector<double> PointWeights;                    // in the sum, per casting light
+  vtkShadowShader PointShader{ vtkSoftShadowPointFS };
+  bool HasNews = false; // it has just converged
+
+  /// What a light's sum is multiplied by to be a mean; 0 if there is none.
+  float GetMeanScale(int layer) const
+  {
+    const double weight = this->PointWeights[layer];
+    return weight > 0.0 ? static_cast<float>(1.0 / weight) : 0.0f;
+  }
 
   int Viewport[4] = { 0, 0, 0, 0 };
 

@@ -36,25 +36,6 @@ vtkSmartPointer<vtkImageData> MakeImage(const std::vector<float>& values, int wi
   return image;
 }
 
-bool CopyImage(vtkImageData* from, vtkImageData* to)
-{
-  if (!from || !to)
-  {
-    return false;
-  }
-  to->ShallowCopy(from);
-  return true;
-}
-
-// The value of that name in a list of the statistics.
-template <typename Value>
-Value FindByName(const std::vector<std::pair<std::string, Value>>& list, const std::string& name)
-{
-  const auto found = std::find_if(
-    list.begin(), list.end(), [&name](const auto& entry) { return entry.first == name; });
-  return found != list.end() ? found->second : Value(-1);
-}
-
 void ReportLight(std::ostream& os, const vtkShadowEmitter& emitter)
 {
   const char* const shapes[] = { "a rectangle", "a disk", "a point" };
@@ -99,7 +80,6 @@ vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetVisibilityImage(int litLight
   const int width = impl.Viewport[2];
   const int height = impl.Viewport[3];
   const int layer = impl.Lights[litLight].Layer;
-  impl.MakeCurrent();
   if (layer >= 0)
   {
     vtkShadowTextureArray* texture = impl.Target.GetTexture();
@@ -119,20 +99,7 @@ vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetVisibilityImage(int litLight
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetDepthImage()
 {
-  this->Impl->MakeCurrent();
   return this->Impl->Receivers->ReadDepth();
-}
-
-//------------------------------------------------------------------------------
-bool vtkSoftShadowPass::GetVisibilityImage(vtkLight* light, vtkImageData* image)
-{
-  return CopyImage(this->GetVisibilityImage(light), image);
-}
-
-//------------------------------------------------------------------------------
-bool vtkSoftShadowPass::GetDepthImage(vtkImageData* image)
-{
-  return CopyImage(this->GetDepthImage(), image);
 }
 
 //------------------------------------------------------------------------------
@@ -160,41 +127,35 @@ const vtkSoftShadowStatistics& vtkSoftShadowPass::GetStatistics()
   Internals& impl = *this->Impl;
   vtkSoftShadowStatistics& statistics = impl.Statistics;
   statistics.PixelsFiltered = 0;
-  impl.MakeCurrent();
   for (size_t i = 0; i < impl.UsedQueries; ++i)
   {
     GLuint pixels = 0;
     glGetQueryObjectuiv(impl.Queries[i], GL_QUERY_RESULT, &pixels);
     statistics.PixelsFiltered += pixels;
   }
+  statistics.ProgressivePoints = this->Progressive ? impl.Schedule.GetCount() : 0;
   statistics.Casters = impl.Casters->GetNumberOfCasters();
   statistics.MapperCasters = impl.Casters->GetNumberOfMapperCasters();
   statistics.Triangles = impl.Casters->GetNumberOfTriangles();
   statistics.BytesHeld = impl.Casters->GetBytes() + impl.Receivers->GetBytes() +
-    impl.Target.GetBytes() + this->GetTechniqueBytes();
+    impl.Target.GetBytes() + impl.Accumulator.GetBytes() + this->GetTechniqueBytes();
   vtkTypeInt64 drawCalls = this->GetTechniqueDrawCalls();
   for (const auto& maps : impl.Maps)
   {
     statistics.BytesHeld += maps->GetBytes();
     drawCalls += maps->GetNumberOfDrawCalls();
   }
+  for (const auto& maps : impl.PointMaps)
+  {
+    statistics.BytesHeld += maps.second->GetTexture()->GetBytes();
+    drawCalls += maps.second->GetNumberOfDrawCalls();
+  }
   statistics.DrawCalls = drawCalls;
   statistics.ShaderBuilds = impl.ProofShader.GetNumberOfBuilds() +
-    impl.ConstantShader.GetNumberOfBuilds() + this->GetTechniqueShaderBuilds();
+    impl.ConstantShader.GetNumberOfBuilds() + impl.PointShader.GetNumberOfBuilds() +
+    impl.Accumulator.GetNumberOfBuilds() + this->GetTechniqueShaderBuilds();
   statistics.Milliseconds = impl.Timers.Collect();
   return statistics;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkSoftShadowPass::GetCount(const std::string& name)
-{
-  return FindByName(this->GetStatistics().GetCounts(), name);
-}
-
-//------------------------------------------------------------------------------
-double vtkSoftShadowPass::GetMilliseconds(const std::string& step)
-{
-  return FindByName(this->GetStatistics().Milliseconds, step);
 }
 
 //------------------------------------------------------------------------------

@@ -6,15 +6,14 @@ VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, vtkTypeInt64>> vtkSoftShadowStatistics::GetCounts() const
 {
-  std::vector<std::pair<std::string, vtkTypeInt64>> counts = { { "frames", this->Frames },
-    { "visibility_frames", this->VisibilityFrames }, { "maps_baked", this->MapsBaked },
+  return { { "frames", this->Frames }, { "visibility_frames", this->VisibilityFrames },
+    { "progressive_frames", this->ProgressiveFrames }, { "maps_baked", this->MapsBaked },
     { "texels_drawn", this->TexelsDrawn }, { "draw_calls", this->DrawCalls },
     { "shader_builds", this->ShaderBuilds }, { "mapper_shader_builds", this->MapperShaderBuilds },
     { "allocations", this->Allocations }, { "pixels_filtered", this->PixelsFiltered },
     { "lights_casting", this->LightsCasting }, { "lights_lit", this->LightsLit },
-    { "casters", this->Casters }, { "mapper_casters", this->MapperCasters },
-    { "triangles", this->Triangles }, { "bytes_held", this->BytesHeld } };
-  counts.insert(counts.end(), this->TechniqueCounts.begin(), this->TechniqueCounts.end());
-  return counts;
+    { "progressive_points", this->ProgressivePoints }, { "casters", this->Casters },
+    { "mapper_casters", this->MapperCasters }, { "triangles", this->Triangles },
+    { "bytes_held", this->BytesHeld } };
 }
 VTK_ABI_NAMESPACE_END

@@ -25,6 +25,8 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowStatistics
   vtkTypeInt64 Frames = 0;
   /// Frames whose receivers and visibility were drawn; the others reused the last ones.
   vtkTypeInt64 VisibilityFrames = 0;
+  /// Frames that added points to the running mean of progressive mode.
+  vtkTypeInt64 ProgressiveFrames = 0;
   vtkTypeInt64 MapsBaked = 0;
   /// Texels of the maps that were baked.
   vtkTypeInt64 TexelsDrawn = 0;
@@ -44,12 +46,12 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowStatistics
   vtkTypeInt64 PixelsFiltered = 0;
   int LightsCasting = 0;
   int LightsLit = 0;
-  /// What a technique counts beyond this, by name.
-  std::vector<std::pair<std::string, vtkTypeInt64>> TechniqueCounts;
   ///@}
 
   ///@{
   /// Now.
+  /// Points of each light in the running mean.
+  int ProgressivePoints = 0;
   int Casters = 0;
   int MapperCasters = 0;
   vtkTypeInt64 Triangles = 0;

@@ -64,7 +64,7 @@ std::string ReportFrame(
     lights.push_back(line);
   }
 
-  const Json report = {
+  Json report = {
     { "inputs", inputs },
     { "technique", technique.Name },
     { "options", ReportOptions(technique, pass) },
@@ -75,6 +75,12 @@ std::string ReportFrame(
     { "lights", lights },
     { "driver", frame.GetDriver() },
   };
+  if (pass->GetProgressive())
+  {
+    report["converge"] = { { "tolerance", pass->GetProgressiveTolerance() },
+      { "converged", pass->GetConverged() }, { "estimated_error", pass->GetEstimatedError() },
+      { "frames", statistics.Frames }, { "points", statistics.ProgressivePoints } };
+  }
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -20,6 +20,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -43,6 +44,8 @@ struct RenderOptions
   UpAxis Up = UpAxis::Y;
   int Width = 0; // 0: the scene's
   int Height = 0;
+  double Converge = 0.0; // 0: one frame
+  int Frames = 4096;     // at most, with Converge
 };
 
 //--------------------------------------------------------------------------------------------------
@@ -131,7 +134,20 @@ void Render(const RenderOptions& options)
 
   const VirtualDisplay display; // outlives the frame, whose window it shows
   SceneFrame frame(built, pass, scene.Width, scene.Height);
-  frame.Render();
+  if (options.Converge > 0.0)
+  {
+    frame.Converge(options.Converge, options.Frames);
+    if (!pass->GetConverged())
+    {
+      std::cerr << "softshadow: not converged to " << options.Converge << " after "
+                << pass->GetStatistics().Frames << " frames; estimated error "
+                << pass->GetEstimatedError() << '\n';
+    }
+  }
+  else
+  {
+    frame.Render();
+  }
   if (!image.empty())
   {
     WritePicture(image, scene.Width, scene.Height, frame.GetPicture());
@@ -186,6 +202,19 @@ void AddRenderCommand(CLI::App& app)
     "umbra, NaN no value) and depth");
   command->add_option(
     "--report", options->Report, "Write settings, counts and times of every step as JSON");
+  CLI::Option* converge = command
+                            ->add_option("--converge", options->Converge,
+                              "Add points of the lights, frame by frame, until the estimated error "
+                              "of the visibility's worst "
+                              "tile of 32 x 32 pixels is under this; the report has the frames, "
+                              "the error and whether it came "
+                              "to pass")
+                            ->check(CLI::Range(0.0001, 1.0))
+                            ->type_name("TOLERANCE");
+  command->add_option("--converge-frames", options->Frames, "Frames at most, with --converge")
+    ->check(CLI::Range(1, 1000000))
+    ->needs(converge)
+    ->capture_default_str();
   command
     ->add_option("--up", options->Up, "Which axis of models without a scene points up: x, y or z")
     ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, UpAxis>>{

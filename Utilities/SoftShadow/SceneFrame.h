@@ -32,6 +32,12 @@ public:
   /// Throws std::runtime_error if there is no usable OpenGL.
   void Render();
 
+  /**
+   * Renders frames in progressive mode until the pass has converged to the tolerance or cannot any
+   * more, at most so many. Returns the milliseconds of all of them.
+   */
+  double Converge(double tolerance, int frames);
+
   ///@{
   /// Of the last frame, top row first.
   std::vector<unsigned char> GetPicture() const; ///< RGB

@@ -206,6 +206,31 @@ TEST_F(Render, LooksForModelsInTheFoldersGiven)
   EXPECT_TRUE(this->Files().count("a.png"));
 }
 
+TEST_F(Render, ConvergesAndReportsIt)
+{
+  this->Write("scene.json", SquareScene);
+  const std::string render = "render scene.json --technique pcss --option map_size=256 "
+                             "--visibility v.exr --report r.json --converge ";
+  const ToolResult result = this->Run(render + "0.05");
+  ASSERT_EQ(result.ExitCode, 0) << result.Output;
+  EXPECT_EQ(result.Output, "");
+  const auto converged = nlohmann::json::parse(this->Read("r.json"))["converge"];
+  EXPECT_EQ(converged["tolerance"], 0.05);
+  EXPECT_EQ(converged["converged"], true);
+  EXPECT_LE(converged["estimated_error"].get<double>(), 0.05);
+  EXPECT_GT(converged["frames"].get<int>(), 10);
+  EXPECT_GE(converged["points"].get<int>(), 128);
+
+  const ToolResult bounded = this->Run(render + "0.05 --converge-frames 5");
+  EXPECT_EQ(bounded.ExitCode, 0);
+  EXPECT_NE(bounded.Output.find("not converged to 0.05 after 5 frames"), std::string::npos)
+    << bounded.Output;
+  const auto stopped = nlohmann::json::parse(this->Read("r.json"))["converge"];
+  EXPECT_EQ(stopped["converged"], false);
+  EXPECT_EQ(stopped["frames"], 5);
+  EXPECT_EQ(this->Run(render + "0").ExitCode, 1) << "a tolerance of nothing";
+}
+
 TEST_F(Render, RendersTheBundledBunny)
 {
   const ToolResult result = this->Run("render " + Data +

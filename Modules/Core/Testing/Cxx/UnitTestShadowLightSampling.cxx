@@ -293,3 +293,42 @@ TEST(ShadowLightSamplingPatterns, OnePointIsTheCentre)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// Every aligned run of 2^k points of the endless sequence is a net, and no two runs are the same.
+TEST(ShadowLightSequence, AlignedRunsAreNets)
+{
+  const vtkShadowEmitter lamp = Lamp(vtkShadowEmitter::RECTANGLE);
+  for (const unsigned int first : { 0u, 64u, 4096u, 65472u })
+  {
+    Samples run;
+    for (unsigned int i = 0; i < 64; ++i)
+    {
+      run.push_back(Sampling::PointOfSequence(lamp, first + i, Sampling::MEAN));
+    }
+    ExpectNet(run, 6);
+    EXPECT_EQ(run[5].Weight, 1.0);
+    EXPECT_NE(run[5].U, Sampling::PointOfSequence(lamp, first + 69, Sampling::MEAN).U);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowLightSequence, HasTheMomentsOfTheLight)
+{
+  for (const int shape : { int(vtkShadowEmitter::RECTANGLE), int(vtkShadowEmitter::DISK) })
+  {
+    double mean = 0.0;
+    double square = 0.0;
+    for (unsigned int i = 0; i < 1024; ++i)
+    {
+      const Sampling::Sample point = Sampling::PointOfSequence(Lamp(shape), i, Sampling::MEAN);
+      mean += point.U / 1024.0;
+      square += point.V * point.V / 1024.0;
+    }
+    EXPECT_NEAR(mean, 0.0, 2e-3);
+    EXPECT_NEAR(square, shape == vtkShadowEmitter::DISK ? 0.25 : 1.0 / 3.0, 2e-3);
+  }
+  vtkShadowEmitter point = Lamp(vtkShadowEmitter::POINT);
+  point.HalfSize = { { 0.0, 0.0 } };
+  EXPECT_EQ(Sampling::PointOfSequence(point, 7, Sampling::GAUSSIAN).U, 0.0);
+}

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// When a running mean is looked at, what is concluded, and when it ends.
+#include "vtkSoftShadowSchedule.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace
+{
+using Schedule = vtkSoftShadowSchedule;
+using Tiles = std::vector<float>;
+
+// Draws up to the next look, in frames of so many points.
+int DrawToLook(Schedule& schedule, int points)
+{
+  int drawn = 0;
+  for (;;)
+  {
+    const int run = schedule.GetRun(points);
+    drawn += run;
+    if (schedule.Advance(run))
+    {
+      return drawn;
+    }
+  }
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+TEST(SoftShadowSchedule, ComparesMapsThenHalves)
+{
+  for (const int points : { 1, 7, 1000 })
+  {
+    Schedule schedule;
+    EXPECT_FALSE(schedule.IsStarted());
+    schedule.Start(1024, 1024, 0.01);
+    EXPECT_EQ(schedule.GetMapSize(), 512);
+    EXPECT_FALSE(schedule.NeedsTiles());
+    EXPECT_EQ(DrawToLook(schedule, points), Schedule::FirstPoints);
+    EXPECT_EQ(schedule.Look({}), Schedule::HOLD_AND_CLEAR);
+    EXPECT_EQ(schedule.GetMapSize(), 1024);
+    EXPECT_EQ(schedule.GetCount(), 0);
+    EXPECT_EQ(schedule.GetShare(), 0.0f);
+    EXPECT_TRUE(schedule.NeedsTiles());
+    EXPECT_EQ(DrawToLook(schedule, points), Schedule::FirstPoints);
+    EXPECT_EQ(schedule.Look({ 0.0f, 1.6e-5f }), Schedule::HOLD);
+    // 1.5 times a change of 0.004 are 0.006; with 0.008 of the points that is the tolerance.
+    EXPECT_EQ(DrawToLook(schedule, points), Schedule::FirstPoints);
+    EXPECT_EQ(schedule.Look({ 0.0f, 1.44e-4f }), Schedule::HOLD);
+    EXPECT_NEAR(schedule.GetEstimatedError(), 0.01342, 1e-4);
+    EXPECT_FALSE(schedule.IsEnded());
+    EXPECT_EQ(DrawToLook(schedule, points), 2 * Schedule::FirstPoints);
+    EXPECT_EQ(schedule.GetCount(), 256);
+    EXPECT_EQ(schedule.GetShare(), 1.0f);
+    EXPECT_EQ(schedule.Look({ 0.0f, 6.3e-5f }), Schedule::END);
+    EXPECT_TRUE(schedule.IsConverged());
+    EXPECT_NEAR(schedule.GetEstimatedError(), 0.00995, 1e-4);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SoftShadowSchedule, TakesFinerMapsWhileTheyAreTooCoarse)
+{
+  Schedule schedule;
+  schedule.Start(512, 2048, 0.01);
+  std::vector<int> sizes;
+  for (int look = 0; look < 4; ++look)
+  {
+    sizes.push_back(schedule.GetMapSize());
+    DrawToLook(schedule, 16);
+    const bool clears = schedule.Look({ 1e-3f }) == Schedule::HOLD_AND_CLEAR;
+    EXPECT_EQ(clears, look < 3) << look;
+  }
+  EXPECT_EQ(sizes, (std::vector<int>{ 256, 512, 1024, 2048 }));
+}
+
+//------------------------------------------------------------------------------
+TEST(SoftShadowSchedule, GivesUpWhereOnlyMapsAreInTheWay)
+{
+  Schedule schedule;
+  schedule.Start(512, 512, 0.01);
+  DrawToLook(schedule, 16);
+  schedule.Look({});
+  DrawToLook(schedule, 16);
+  schedule.Look({ 1e-3f });
+  DrawToLook(schedule, 16);
+  EXPECT_EQ(schedule.Look({ 1e-3f }), Schedule::HOLD) << "the points still count";
+  DrawToLook(schedule, 16);
+  EXPECT_EQ(schedule.Look({ 1e-5f }), Schedule::END);
+  EXPECT_TRUE(schedule.IsEnded());
+  EXPECT_FALSE(schedule.IsConverged());
+  EXPECT_NEAR(schedule.GetEstimatedError(), 0.0475, 1e-3);
+}

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSoftShadowAccumulator.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowsOpenGL.h"
+
+#include "vtkSoftShadowMixFS.h"
+#include "vtkSoftShadowTilesFS.h"
+
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+vtkSoftShadowAccumulator::vtkSoftShadowAccumulator()
+  : MixShader(vtkSoftShadowMixFS)
+  , TilesShader(vtkSoftShadowTilesFS)
+{
+  const vtkShadowShader::Definitions definitions = { { "SOFT_SHADOW_TILE",
+    std::to_string(TileSize) } };
+  this->TilesShader.SetDefinitions(definitions);
+}
+
+//------------------------------------------------------------------------------
+vtkSoftShadowAccumulator::~vtkSoftShadowAccumulator() = default;
+
+//------------------------------------------------------------------------------
+int vtkSoftShadowAccumulator::Begin(
+  vtkOpenGLRenderWindow* window, vtkShadowTextureArray* visibility)
+{
+  const int width = visibility->GetWidth();
+  const int height = visibility->GetHeight();
+  const int layers = visibility->GetLayers();
+  const auto allocate = [&](vtkShadowTextureArray* texture, int w, int h)
+  {
+    const bool held =
+      texture->GetWidth() == w && texture->GetHeight() == h && texture->GetLayers() == layers;
+    return texture->Allocate(window, vtkShadowTextureArray::R32F, w, h, layers) ? (held ? 0 : 1)
+                                                                                : -1;
+  };
+  int made =
+    allocate(this->Tiles, (width + TileSize - 1) / TileSize, (height + TileSize - 1) / TileSize);
+  for (const auto& texture : this->Textures)
+  {
+    const int one = made < 0 ? -1 : allocate(texture, width, height);
+    made = one < 0 ? -1 : made + one;
+  }
+  if (made < 0)
+  {
+    return -1;
+  }
+  if (!this->Framebuffer)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+  }
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    this->Mix(window, this->Textures[BASE], visibility, visibility, layer, 1.0f, 0.0f);
+  }
+  this->Clear(window);
+  return made;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::Bind(
+  vtkOpenGLRenderWindow* window, vtkShadowTextureArray* target, int layer)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  target->AttachLayer(layer);
+  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  state->vtkglViewport(0, 0, target->GetWidth(), target->GetHeight());
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::Clear(vtkOpenGLRenderWindow* window)
+{
+  for (int layer = 0; layer < this->Textures[SUM]->GetLayers(); ++layer)
+  {
+    this->Bind(window, this->Textures[SUM], layer);
+    window->GetState()->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    window->GetState()->vtkglClear(GL_COLOR_BUFFER_BIT);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::BeginSum(vtkOpenGLRenderWindow* window, int layer)
+{
+  this->Bind(window, this->Textures[SUM], layer);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::Hold(vtkOpenGLRenderWindow* window, int layer, float scale)
+{
+  this->Mix(
+    window, this->Textures[HELD], this->Textures[BASE], this->Textures[SUM], layer, 0.0f, scale);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::Show(vtkOpenGLRenderWindow* window,
+  vtkShadowTextureArray* visibility, int layer, float share, float scale)
+{
+  this->Mix(window, visibility, this->Textures[BASE], this->Textures[SUM], layer, 1.0f - share,
+    share * scale);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::Mix(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* target,
+  vtkShadowTextureArray* first, vtkShadowTextureArray* second, int layer, float firstShare,
+  float secondShare)
+{
+  this->Bind(window, target, layer);
+  if (!this->MixShader.Use(window))
+  {
+    return;
+  }
+  vtkShaderProgram* program = this->MixShader.GetProgram();
+  const float shares[2] = { firstShare, secondShare };
+  program->SetUniform2f("shares", shares);
+  program->SetUniformf("layer", static_cast<float>(layer));
+  const int unit = first->Activate();
+  program->SetUniformi("first", unit);
+  program->SetUniformi("second", first == second ? unit : second->Activate());
+  this->MixShader.Draw();
+  if (first != second)
+  {
+    second->Deactivate();
+  }
+  first->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkSoftShadowAccumulator::ReadChanges(
+  vtkOpenGLRenderWindow* window, int layer, float scale)
+{
+  this->Bind(window, this->Tiles, layer);
+  if (!this->TilesShader.Use(window))
+  {
+    return {};
+  }
+  vtkShaderProgram* program = this->TilesShader.GetProgram();
+  program->SetUniformf("share", scale);
+  program->SetUniformf("layer", static_cast<float>(layer));
+  program->SetUniformi("base", this->Textures[BASE]->Activate());
+  program->SetUniformi("sum", this->Textures[SUM]->Activate());
+  program->SetUniformi("held", this->Textures[HELD]->Activate());
+  this->TilesShader.Draw();
+  for (const auto& texture : this->Textures)
+  {
+    texture->Deactivate();
+  }
+  return this->Tiles->ReadLayer(layer);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkSoftShadowAccumulator::GetBytes() const
+{
+  vtkTypeInt64 bytes = this->Tiles->GetBytes();
+  for (const auto& texture : this->Textures)
+  {
+    bytes += texture->GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+int vtkSoftShadowAccumulator::GetNumberOfBuilds() const
+{
+  return this->MixShader.GetNumberOfBuilds() + this->TilesShader.GetNumberOfBuilds();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (const auto& texture : this->Textures)
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->Tiles->ReleaseGraphicsResources(window);
+  this->MixShader.ReleaseGraphicsResources(window);
+  this->TilesShader.ReleaseGraphicsResources(window);
+  if (this->Framebuffer)
+  {
+    glDeleteFramebuffers(1, &this->Framebuffer);
+    this->Framebuffer = 0;
+  }
+}
+VTK_ABI_NAMESPACE_END

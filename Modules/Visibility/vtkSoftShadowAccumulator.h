@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSoftShadowAccumulator
+ * @brief   The textures of a running mean over points of the lights, and what is drawn into them.
+ *
+ * A layer per casting light, the viewport's size, 32-bit floats:
+ *  - base: the technique's own visibility, with which it all starts; negative where there is none;
+ *  - sum: of the hard shadows from points, times their weights;
+ *  - held: an earlier mean to compare with.
+ */
+
+#ifndef vtkSoftShadowAccumulator_h
+#define vtkSoftShadowAccumulator_h
+
+#include "vtkNew.h"            // For members
+#include "vtkShadowShader.h"   // For shaders
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkType.h"           // For vtkTypeInt64
+
+#include <vector> // For tiles
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShadowTextureArray;
+class vtkWindow;
+
+class vtkSoftShadowAccumulator
+{
+public:
+  vtkSoftShadowAccumulator();
+  ~vtkSoftShadowAccumulator();
+  vtkSoftShadowAccumulator(const vtkSoftShadowAccumulator&) = delete;
+  vtkSoftShadowAccumulator& operator=(const vtkSoftShadowAccumulator&) = delete;
+
+  /// Pixels along the edge of a tile.
+  static constexpr int TileSize = 32;
+
+  /**
+   * Begins with the visibilities given, as many layers as that texture has. Returns the number of
+   * allocations, -1 if there is no memory. Restores the framebuffer.
+   */
+  int Begin(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* visibility);
+
+  /// Clears the sums.
+  void Clear(vtkOpenGLRenderWindow* window);
+
+  /// Binds the sum of a light for additive drawing over the whole viewport.
+  void BeginSum(vtkOpenGLRenderWindow* window, int layer);
+
+  /// Copies the mean, scale times the sum, to held.
+  void Hold(vtkOpenGLRenderWindow* window, int layer, float scale);
+
+  /// Writes (1 - share) base + share * scale * sum to the visibilities.
+  void Show(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* visibility, int layer,
+    float share, float scale);
+
+  /// Per tile, the mean square of scale * sum - held. Waits for the GPU; a value per 1024 pixels.
+  std::vector<float> ReadChanges(vtkOpenGLRenderWindow* window, int layer, float scale);
+
+  vtkTypeInt64 GetBytes() const;
+  int GetNumberOfBuilds() const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  enum TextureName
+  {
+    BASE = 0,
+    SUM = 1,
+    HELD = 2
+  };
+
+  vtkNew<vtkShadowTextureArray> Textures[3];
+  vtkNew<vtkShadowTextureArray> Tiles;
+  vtkShadowShader MixShader;
+  vtkShadowShader TilesShader;
+  unsigned int Framebuffer = 0;
+
+  void Bind(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* target, int layer);
+  void Mix(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* target,
+    vtkShadowTextureArray* first, vtkShadowTextureArray* second, int layer, float firstShare,
+    float secondShare);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

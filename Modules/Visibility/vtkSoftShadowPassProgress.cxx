@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkSoftShadowPass does while nothing changes: a running mean of hard shadows from points of the
+// lights.
+#include "vtkSoftShadowPass.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowDepthMaps.h"
+#include "vtkShadowMapFitter.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowPassInternals.h"
+#include "vtkSoftShadowsOpenGL.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+// The largest map that memory and the driver allow; finer ones cost more than they gain.
+int FindLargestMap(int memory)
+{
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  vtkTypeInt64 size = 32;
+  while (2 * size <= std::min<vtkTypeInt64>(largest, 4096) &&
+    4 * (2 * size) * (2 * size) <= static_cast<vtkTypeInt64>(memory) << 20)
+  {
+    size *= 2;
+  }
+  return static_cast<int>(size);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::GetConverged() const
+{
+  return this->Progressive && this->Impl->Schedule.IsConverged();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::GetRefining() const
+{
+  return this->Progressive && !this->Impl->Schedule.IsEnded();
+}
+
+//------------------------------------------------------------------------------
+double vtkSoftShadowPass::GetEstimatedError() const
+{
+  return this->Impl->Schedule.GetEstimatedError();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::Refine(const vtkRenderState* s)
+{
+  Internals& impl = *this->Impl;
+  vtkSoftShadowSchedule& schedule = impl.Schedule;
+  if (!this->Progressive || schedule.IsEnded())
+  {
+    return;
+  }
+  if (impl.Statistics.LightsCasting == 0 || !impl.Target.GetTexture()->GetHandle())
+  {
+    schedule.Finish(impl.Statistics.LightsCasting == 0);
+    return;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+  window->GetState()->PushFramebufferBindings();
+  if (schedule.IsStarted() || this->BeginProgress(window))
+  {
+    this->AddPoints(s, window);
+    for (int layer = 0; layer < impl.Statistics.LightsCasting; ++layer)
+    {
+      impl.Accumulator.Show(
+        window, impl.Target.GetTexture(), layer, schedule.GetShare(), impl.GetMeanScale(layer));
+    }
+  }
+  ++impl.Statistics.ProgressiveFrames;
+  window->GetState()->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::BeginProgress(vtkOpenGLRenderWindow* window)
+{
+  Internals& impl = *this->Impl;
+  const int made = impl.Accumulator.Begin(window, impl.Target.GetTexture());
+  if (made < 0)
+  {
+    impl.Schedule.Finish(false);
+    return false;
+  }
+  impl.Statistics.Allocations += made;
+  impl.PointWeights.assign(impl.Statistics.LightsCasting, 0.0);
+  impl.Schedule.Start(this->MapSize, FindLargestMap(this->MapMemory), this->ProgressiveTolerance);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow* window)
+{
+  Internals& impl = *this->Impl;
+  vtkSoftShadowSchedule& schedule = impl.Schedule;
+  const vtkShadowMapFitter fitter(impl.Casters->GetBodies());
+  vtkSoftShadowContext context;
+  context.Renderer = s->GetRenderer();
+  context.Window = window;
+  context.Casters = impl.Casters;
+  context.Fitter = &fitter;
+  context.Receivers = impl.Receivers;
+  for (int left = this->ProgressivePoints; left > 0 && !schedule.IsEnded();)
+  {
+    const int run = schedule.GetRun(left);
+    for (const Internals::LitLight& light : impl.Lights)
+    {
+      for (int i = 0; light.Casts && i < run; ++i)
+      {
+        this->AddPoint(context, light.Layer, schedule.GetCount() + i);
+      }
+    }
+    left -= run;
+    if (schedule.Advance(run))
+    {
+      this->LookAtMean(window);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::AddPoint(vtkSoftShadowContext& context, int layer, int index)
+{
+  Internals& impl = *this->Impl;
+  const std::vector<vtkSoftShadowLightMaps::Face>& faces = impl.Maps[layer]->GetFaces();
+  const vtkShadowEmitter& light = faces.front().Emitter;
+  if (index > 0 && !light.HasExtent())
+  {
+    return; // all its points are the first
+  }
+  const int weights =
+    this->HasGaussianWeights() ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN;
+  const int mapSize = impl.Schedule.GetMapSize();
+  vtkShadowDepthMaps* maps = impl.PointMaps[mapSize];
+  for (size_t f = 0; f < faces.size(); ++f)
+  {
+    context.Emitter = faces[f].Emitter;
+    context.FaceAxis = faces[f].Emitter.Face ? static_cast<int>(f / 2) : -1;
+    const vtkSoftShadowSamples point = vtkSoftShadowPass::FitSamples(
+      context, { vtkShadowLightSampling::PointOfSequence(context.Emitter, index, weights) });
+    if (!point.Views.empty())
+    {
+      const int baked = maps->Bake(context.Renderer, context.Casters, point.Views, mapSize);
+      impl.Statistics.MapsBaked += std::max(baked, 0);
+      impl.Statistics.TexelsDrawn +=
+        static_cast<vtkTypeInt64>(std::max(baked, 0)) * mapSize * mapSize;
+    }
+    impl.Accumulator.BeginSum(context.Window, layer);
+    if (!impl.PointShader.Use(context.Window))
+    {
+      return;
+    }
+    vtkShaderProgram* program = impl.PointShader.GetProgram();
+    program->SetUniformf("litWeight", point.LitWeight);
+    this->SetReceiverUniforms(program, context);
+    vtkSoftShadowPass::SetSampleUniforms(program, context, point.Views.data(), point.Weights.data(),
+      point.Views.size(), 0, mapSize, 1);
+    program->SetUniformi("depthMaps", maps->GetTexture()->Activate(context.Window));
+    impl.PointShader.Draw();
+    maps->GetTexture()->Deactivate();
+    context.Receivers->Deactivate();
+    if (f == 0)
+    {
+      impl.PointWeights[layer] +=
+        point.LitWeight + (point.Weights.empty() ? 0.0f : point.Weights.front());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::LookAtMean(vtkOpenGLRenderWindow* window)
+{
+  Internals& impl = *this->Impl;
+  const int layers = impl.Statistics.LightsCasting;
+  std::vector<float> changes;
+  for (int layer = 0; layer < layers && impl.Schedule.NeedsTiles(); ++layer)
+  {
+    const std::vector<float> tiles =
+      impl.Accumulator.ReadChanges(window, layer, impl.GetMeanScale(layer));
+    changes.insert(changes.end(), tiles.begin(), tiles.end());
+  }
+  const vtkSoftShadowSchedule::NextType next = impl.Schedule.Look(changes);
+  impl.HasNews = next == vtkSoftShadowSchedule::END && impl.Schedule.IsConverged();
+  if (next == vtkSoftShadowSchedule::END)
+  {
+    return;
+  }
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    impl.Accumulator.Hold(window, layer, impl.GetMeanScale(layer));
+  }
+  if (next == vtkSoftShadowSchedule::HOLD_AND_CLEAR)
+  {
+    impl.Accumulator.Clear(window);
+    impl.PointWeights.assign(layers, 0.0);
+  }
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSoftShadowSchedule
+ * @brief   Which points of the lights come next while nothing changes, and when they are enough.
+ *
+ * The mean over points of the light with a hard shadow each converges to the truth, whatever the
+ * technique, but for the texels of the maps. Two errors are estimated per tile of the screen:
+ *  - of the maps: the mean of the first 64 points is drawn with maps of half the size and of the full
+ *    size. Where the error falls by the factor r per doubling, what is left is r / (1 - r) of the
+ *    difference; r was 0.6 in measurements. While this is over half the tolerance and memory allows
+ *    it, maps of twice the size are taken.
+ *  - of the points: after 128, 256, 512, ... points the mean is compared with the one at half as many.
+ *    The two halves are scrambled nets, as good as independent; half their difference, which is the
+ *    change of the mean, is the standard error of the mean.
+ * The estimate is the worst tile's root of the sum of their squares. It ends when that is under the
+ * tolerance, or when the maps' error alone forbids it and that of the points no longer counts.
+ *
+ * Knows no OpenGL. Points are counted per light; all lights advance together.
+ */
+
+#ifndef vtkSoftShadowSchedule_h
+#define vtkSoftShadowSchedule_h
+
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+
+#include <vector> // For tiles
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkSoftShadowSchedule
+{
+public:
+  /// Points of the first means, which compare maps.
+  static constexpr int FirstPoints = 64;
+  /// No more points than these.
+  static constexpr int MostPoints = 65536;
+
+  /// Begins anew. Maps start with mapSize texels along an edge and grow to at most largestMapSize.
+  void Start(int mapSize, int largestMapSize, double tolerance);
+  /// Back to before Start.
+  void Reset() { *this = vtkSoftShadowSchedule(); }
+
+  bool IsStarted() const { return this->MapSize > 0; }
+  /// Ends at once: with nothing left to do, or in failure.
+  void Finish(bool converged);
+
+  bool IsEnded() const { return this->Converged || this->Exhausted; }
+  bool IsConverged() const { return this->Converged; }
+
+  /// Texels along an edge of the maps of the next points.
+  int GetMapSize() const { return this->MapSize; }
+  /// Points in the mean; the next point's number.
+  int GetCount() const { return this->Count; }
+  /// Standard error of the worst tile; 1 until it is known.
+  double GetEstimatedError() const { return this->EstimatedError; }
+
+  /**
+   * Share of the mean in what is shown, in [0, 1]; the rest is the technique's own visibility. Few
+   * points show as bands, so the mean takes over as they become 256.
+   */
+  float GetShare() const;
+
+  /// How many of the frame's points may be drawn before the next look at the mean.
+  int GetRun(int most) const;
+
+  /// Counts points that were drawn. True if the mean is to be looked at now.
+  bool Advance(int points);
+
+  /// Whether the look needs tiles, or there is no mean to compare with yet.
+  bool NeedsTiles() const { return !this->Probing; }
+
+  /// What to do with the mean after a look.
+  enum NextType
+  {
+    END,           ///< It is the result.
+    HOLD,          ///< Keep a copy to compare with, and go on.
+    HOLD_AND_CLEAR ///< Keep a copy to compare with, and begin the sum anew.
+  };
+
+  /// changes: per tile the mean square of the difference to the copy that is held.
+  NextType Look(const std::vector<float>& changes);
+
+private:
+  int MapSize = 0;
+  int LargestMapSize = 0;
+  double Tolerance = 0.0;
+  int Count = 0;
+  int Goal = FirstPoints;
+  bool Probing = true; // with maps of half the size
+  bool HasFloor = false;
+  bool Converged = false;
+  bool Exhausted = false;
+  double EstimatedError = 1.0;
+  std::vector<float> Floor; // of the maps: mean squares per tile
+
+  NextType LookAtMaps(const std::vector<float>& changes);
+  NextType LookAtPoints(const std::vector<float>& changes);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
