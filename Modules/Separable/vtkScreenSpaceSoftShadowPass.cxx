@@ -27,16 +27,10 @@ public:
   vtkSeparableStep Hard{ vtkScreenSpaceHardFS };
   vtkSeparableStep Penumbra{ vtkScreenSpacePenumbraFS };
   vtkSeparableStep Blur{ vtkScreenSpaceBlurFS };
-  vtkSeparableTarget Target;
 
   vtkNew<vtkShadowTextureArray> HardShadows; // R32F: 0 or 1, 1 where there is no receiver
   vtkNew<vtkShadowTextureArray> Penumbrae;   // RG32F: half extents on the screen, < 0: no blocker
   vtkNew<vtkShadowTextureArray> Blurred;     // R32F: blurred along x, < 0: proved
-
-  std::vector<vtkShadowTextureArray*> GetTextures()
-  {
-    return { this->HardShadows, this->Penumbrae, this->Blurred };
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -46,28 +40,33 @@ vtkScreenSpaceSoftShadowPass::vtkScreenSpaceSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkScreenSpaceSoftShadowPass::~vtkScreenSpaceSoftShadowPass() = default;
+vtkScreenSpaceSoftShadowPass::~vtkScreenSpaceSoftShadowPass()
+{
+  this->ReleaseBeforeDestruction();
+}
 
 //------------------------------------------------------------------------------
-bool vtkScreenSpaceSoftShadowPass::HasGaussianWeights() const
+std::vector<vtkSeparableStep*> vtkScreenSpaceSoftShadowPass::GetSteps()
 {
-  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  return { &this->Impl->Hard, &this->Impl->Penumbra, &this->Impl->Blur };
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowTextureArray*> vtkScreenSpaceSoftShadowPass::GetTextures()
+{
+  return { this->Impl->HardShadows, this->Impl->Penumbrae, this->Impl->Blurred };
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  const int width = context.Receivers->GetWidth();
-  const int height = context.Receivers->GetHeight();
-  for (vtkShadowTextureArray* texture : impl.GetTextures())
+  if (!vtkScreenSpaceSoftShadowPass::Allocate(
+        context, vtkShadowTextureArray::R32F, { impl.HardShadows, impl.Blurred }) ||
+    !vtkScreenSpaceSoftShadowPass::Allocate(
+      context, vtkShadowTextureArray::RG32F, { impl.Penumbrae }))
   {
-    const int format =
-      texture == impl.Penumbrae.Get() ? vtkShadowTextureArray::RG32F : vtkShadowTextureArray::R32F;
-    if (!texture->Allocate(context.Window, format, width, height, 1))
-    {
-      return;
-    }
+    return;
   }
   this->BeginStep("hard shadow");
   this->DrawHardShadow(context);
@@ -82,49 +81,33 @@ void vtkScreenSpaceSoftShadowPass::AddVisibility(const vtkSoftShadowContext& con
 void vtkScreenSpaceSoftShadowPass::DrawHardShadow(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  if (!impl.Hard.GetShader().Use(context.Window))
+  if (this->UseStep(impl.Hard, context))
   {
-    return;
+    // Also where pixels were proved.
+    this->GetTarget().Draw(context.Window, impl.Hard.GetShader(), { { impl.HardShadows, 1.0f } },
+      context.Marks, [](bool) {});
+    vtkScreenSpaceSoftShadowPass::EndStep(context);
   }
-  vtkShaderProgram* program = impl.Hard.GetShader().GetProgram();
-  this->SetReceiverUniforms(program, context);
-  this->SetMapUniforms(
-    program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
-  program->SetUniformi("depthMaps", context.Maps->GetTexture()->Activate());
-  program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
-  impl.Target.Draw(context.Window, impl.Hard.GetShader(), { { impl.HardShadows, 1.0f } }, 0);
-  context.Maps->GetTexture()->Deactivate();
-  context.Receivers->Deactivate();
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceSoftShadowPass::DrawPenumbrae(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  if (!impl.Penumbra.GetShader().Use(context.Window))
+  if (vtkShaderProgram* program = this->UseStep(impl.Penumbra, context))
   {
-    return;
+    program->SetUniformi("footprint", 1);
+    const float s[2] = { 1.0f, 0.0f };
+    const float t[2] = { 0.0f, 1.0f };
+    program->SetUniform2f("rowAxis", s);
+    program->SetUniform2f("columnAxis", t);
+    float mapToScreen[16];
+    vtkSeparableStep::MapToScreen(context, context.Maps->GetViews()[context.Layer], mapToScreen);
+    program->SetUniformMatrix4x4("mapToScreen", mapToScreen);
+    this->GetTarget().Draw(
+      context.Window, impl.Penumbra.GetShader(), { { impl.Penumbrae, -1.0f } }, context.Marks);
+    vtkScreenSpaceSoftShadowPass::EndStep(context);
   }
-  vtkShaderProgram* program = impl.Penumbra.GetShader().GetProgram();
-  const vtkShadowMapView& view = context.Maps->GetViews()[context.Layer];
-  this->SetReceiverUniforms(program, context);
-  this->SetMapUniforms(program, context, view, context.Maps->GetResolution());
-  program->SetUniformi("depthMaps", context.Maps->GetTexture()->Activate());
-  program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
-  program->SetUniformi("searchWidth", context.Emitter.HasExtent() ? this->SearchWidth : 1);
-  program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
-  program->SetUniformi("footprint", 1);
-  const float s[2] = { 1.0f, 0.0f };
-  const float t[2] = { 0.0f, 1.0f };
-  program->SetUniform2f("rowAxis", s);
-  program->SetUniform2f("columnAxis", t);
-  float mapToScreen[16];
-  vtkSeparableStep::MapToScreen(context, view, mapToScreen);
-  program->SetUniformMatrix4x4("mapToScreen", mapToScreen);
-  impl.Target.Draw(
-    context.Window, impl.Penumbra.GetShader(), { { impl.Penumbrae, -1.0f } }, context.Marks);
-  context.Maps->GetTexture()->Deactivate();
-  context.Receivers->Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -132,12 +115,11 @@ void vtkScreenSpaceSoftShadowPass::DrawBlur(const vtkSoftShadowContext& context,
 {
   Internals& impl = *this->Impl;
   vtkShadowShader& shader = impl.Blur.GetShader();
-  if (!shader.Use(context.Window))
+  vtkShaderProgram* program = this->UseStep(impl.Blur, context);
+  if (!program)
   {
     return;
   }
-  vtkShaderProgram* program = shader.GetProgram();
-  this->SetReceiverUniforms(program, context);
   program->SetUniformi("penumbrae", impl.Penumbrae->Activate());
   const int hardUnit = impl.HardShadows->Activate();
   program->SetUniformi("hardShadows", hardUnit);
@@ -148,8 +130,6 @@ void vtkScreenSpaceSoftShadowPass::DrawBlur(const vtkSoftShadowContext& context,
   const float texel[2] = { 1.0f / static_cast<float>(context.Receivers->GetWidth()),
     1.0f / static_cast<float>(context.Receivers->GetHeight()) };
   program->SetUniform2f("texel", texel);
-  program->SetUniformi("filterWidth", context.Emitter.HasExtent() ? this->FilterWidth : 1);
-  program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
   program->SetUniformf("beta", static_cast<float>(this->Beta));
   program->SetUniformf("weight", last ? static_cast<float>(context.Emitter.Weight) : 1.0f);
   if (last)
@@ -159,55 +139,17 @@ void vtkScreenSpaceSoftShadowPass::DrawBlur(const vtkSoftShadowContext& context,
   }
   else
   {
-    impl.Target.Draw(context.Window, shader, { { impl.Blurred, -1.0f } }, context.Marks);
+    this->GetTarget().Draw(context.Window, shader, { { impl.Blurred, -1.0f } }, context.Marks);
   }
   impl.HardShadows->Deactivate();
   impl.Penumbrae->Deactivate();
-  context.Receivers->Deactivate();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkScreenSpaceSoftShadowPass::GetTechniqueBytes()
-{
-  vtkTypeInt64 bytes = 0;
-  for (vtkShadowTextureArray* texture : this->Impl->GetTextures())
-  {
-    bytes += texture->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-int vtkScreenSpaceSoftShadowPass::GetTechniqueShaderBuilds()
-{
-  return this->Impl->Hard.GetShader().GetNumberOfBuilds() +
-    this->Impl->Penumbra.GetShader().GetNumberOfBuilds() +
-    this->Impl->Blur.GetShader().GetNumberOfBuilds();
-}
-
-//------------------------------------------------------------------------------
-void vtkScreenSpaceSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Superclass::ReleaseGraphicsResources(window);
-  Internals& impl = *this->Impl;
-  for (vtkSeparableStep* step : { &impl.Hard, &impl.Penumbra, &impl.Blur })
-  {
-    step->GetShader().ReleaseGraphicsResources(window);
-  }
-  for (vtkShadowTextureArray* texture : impl.GetTextures())
-  {
-    texture->ReleaseGraphicsResources(window);
-  }
-  impl.Target.ReleaseGraphicsResources(window);
+  vtkScreenSpaceSoftShadowPass::EndStep(context);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SearchWidth: " << this->SearchWidth << "\n";
-  os << indent << "FilterWidth: " << this->FilterWidth << "\n";
-  os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
   os << indent << "Beta: " << this->Beta << "\n";
 }
 VTK_ABI_NAMESPACE_END

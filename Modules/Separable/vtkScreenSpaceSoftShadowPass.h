@@ -23,49 +23,21 @@
 #define vtkScreenSpaceSoftShadowPass_h
 
 #include "vtkRenderingSoftShadowsSeparableModule.h" // For export macro
-#include "vtkShadowLightSampling.h"                 // For weights
-#include "vtkSoftShadowPass.h"
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkSoftShadowsABI.h"                      // For the ABI namespace
+#include "vtkTwoKernelSoftShadowPass.h"
 
 #include <memory> // For the implementation
+#include <vector> // For lists
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class VTKRENDERINGSOFTSHADOWSSEPARABLE_EXPORT vtkScreenSpaceSoftShadowPass
-  : public vtkSoftShadowPass
+  : public vtkTwoKernelSoftShadowPass
 {
 public:
   static vtkScreenSpaceSoftShadowPass* New();
-  vtkTypeMacro(vtkScreenSpaceSoftShadowPass, vtkSoftShadowPass);
+  vtkTypeMacro(vtkScreenSpaceSoftShadowPass, vtkTwoKernelSoftShadowPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
-  ///@{
-  /**
-   * Taps along an edge of the blocker search, in [1, 128]. Default is 15.
-   */
-  vtkSetClampMacro(SearchWidth, int, 1, 128);
-  vtkGetMacro(SearchWidth, int);
-  ///@}
-
-  ///@{
-  /**
-   * Taps of each blur, in [1, 128]. Default is 21.
-   */
-  vtkSetClampMacro(FilterWidth, int, 1, 128);
-  vtkGetMacro(FilterWidth, int);
-  ///@}
-
-  ///@{
-  /**
-   * Weights of the taps: N(0, 0.5) over the window [-1, 1], or uniform. Default is GAUSSIAN.
-   */
-  vtkSetClampMacro(Weights, int, vtkShadowLightSampling::MEAN, vtkShadowLightSampling::GAUSSIAN);
-  vtkGetMacro(Weights, int);
-  void SetWeightsToMean() { this->SetWeights(vtkShadowLightSampling::MEAN); }
-  void SetWeightsToGaussian() { this->SetWeights(vtkShadowLightSampling::GAUSSIAN); }
-  ///@}
 
   ///@{
   /**
@@ -82,13 +54,9 @@ protected:
   ~vtkScreenSpaceSoftShadowPass() override;
 
   void AddVisibility(const vtkSoftShadowContext& context) override;
-  bool HasGaussianWeights() const override;
-  vtkTypeInt64 GetTechniqueBytes() override;
-  int GetTechniqueShaderBuilds() override;
+  std::vector<vtkSeparableStep*> GetSteps() override;
+  std::vector<vtkShadowTextureArray*> GetTextures() override;
 
-  int SearchWidth = 15;
-  int FilterWidth = 21;
-  int Weights = vtkShadowLightSampling::GAUSSIAN;
   double Beta = 0.01;
 
 private:

@@ -4,24 +4,28 @@
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSeparableReuseCount.h"
 #include "vtkSeparableStep.h"
 #include "vtkSeparableTarget.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkWeakPointer.h"
 
 #include "vtkSeparableColumnsFS.h"
 #include "vtkSeparableRowsFS.h"
 #include "vtkSeparableVisibilityFS.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -29,14 +33,19 @@ vtkStandardNewMacro(vtkSeparableSoftShadowPass);
 
 namespace
 {
-// In the shares of reuse: not counted.
-constexpr float Uncounted = -1.0f;
 // A row's place may be off by this share of the kernel's half width, because the screen is a raster.
 constexpr float SnapTolerance = 0.5f;
 // A row's own kernel may be wider or narrower by this share.
 constexpr float WidthTolerance = 0.5f;
 // The filter's rows are kept in parts that end at these shares of their half width, and at 1.
 constexpr double FilterNodes[2] = { 0.5, 0.8 };
+
+struct LightThresholds
+{
+  vtkWeakPointer<vtkLight> Light;
+  double Alpha;
+  double Beta;
+};
 } // namespace
 
 class vtkSeparableSoftShadowPass::Internals
@@ -45,22 +54,28 @@ public:
   vtkSeparableStep Rows{ vtkSeparableRowsFS };
   vtkSeparableStep Columns{ vtkSeparableColumnsFS };
   vtkSeparableStep Visibility{ vtkSeparableVisibilityFS };
-  vtkSeparableTarget Target;
 
   vtkNew<vtkShadowTextureArray> Points;     // RGBA32F: s, t, d, 1 lit or 2 blocked
   vtkNew<vtkShadowTextureArray> SearchRows; // RGBA32F: sum, number to the node; sum, number beyond
   vtkNew<vtkShadowTextureArray> FilterRows; // RGBA32F: blocked weights in three parts, depth gap
-  vtkNew<vtkShadowTextureArray> Shares[2];  // R32F: share of reused rows, per stage
+  vtkSeparableReuseCount Reuse;
 
-  // Sums and numbers of the shares, per pixel, and the frame they belong to.
-  std::vector<float> ShareSums[2];
-  std::vector<int> ShareCounts[2];
-  int ShareSize[2] = { 0, 0 };
-  vtkTypeInt64 ShareFrame = -1;
+  std::vector<LightThresholds> Thresholds;
 
-  std::vector<vtkShadowTextureArray*> GetTextures()
+  // Null if the light has none of its own.
+  const LightThresholds* Find(const vtkLight* light) const
   {
-    return { this->Points, this->SearchRows, this->FilterRows, this->Shares[0], this->Shares[1] };
+    const auto found = std::find_if(this->Thresholds.begin(), this->Thresholds.end(),
+      [light](const LightThresholds& entry) { return light && entry.Light == light; });
+    return found == this->Thresholds.end() ? nullptr : &*found;
+  }
+
+  void Remove(const vtkLight* light)
+  {
+    this->Thresholds.erase(
+      std::remove_if(this->Thresholds.begin(), this->Thresholds.end(),
+        [light](const LightThresholds& entry) { return !entry.Light || entry.Light == light; }),
+      this->Thresholds.end());
   }
 };
 
@@ -71,31 +86,92 @@ vtkSeparableSoftShadowPass::vtkSeparableSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkSeparableSoftShadowPass::~vtkSeparableSoftShadowPass() = default;
+vtkSeparableSoftShadowPass::~vtkSeparableSoftShadowPass()
+{
+  this->ReleaseBeforeDestruction();
+}
 
 //------------------------------------------------------------------------------
-bool vtkSeparableSoftShadowPass::HasGaussianWeights() const
+void vtkSeparableSoftShadowPass::SetLightThresholds(vtkLight* light, double alpha, double beta)
 {
-  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  if (!light)
+  {
+    vtkErrorMacro("Thresholds are for a light, and there is none.");
+    return;
+  }
+  alpha = vtkMath::ClampValue(alpha, 0.0, 1.0);
+  beta = vtkMath::ClampValue(beta, 0.0, 1.0);
+  const LightThresholds* found = this->Impl->Find(light);
+  if (!found || found->Alpha != alpha || found->Beta != beta)
+  {
+    this->Impl->Remove(light);
+    this->Impl->Thresholds.push_back({ light, alpha, beta });
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSeparableSoftShadowPass::ResetLightThresholds(vtkLight* light)
+{
+  if (this->Impl->Find(light))
+  {
+    this->Impl->Remove(light);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkSeparableSoftShadowPass::GetLightAlpha(vtkLight* light) const
+{
+  const LightThresholds* found = this->Impl->Find(light);
+  return found ? found->Alpha : this->Alpha;
+}
+
+//------------------------------------------------------------------------------
+double vtkSeparableSoftShadowPass::GetLightBeta(vtkLight* light) const
+{
+  const LightThresholds* found = this->Impl->Find(light);
+  return found ? found->Beta : this->Beta;
+}
+
+//------------------------------------------------------------------------------
+int vtkSeparableSoftShadowPass::GetProof() const
+{
+  return this->DebugView == DEBUG_NONE ? PROVES_LIT_AND_BLOCKED : PROVES_LIT;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSeparableStep*> vtkSeparableSoftShadowPass::GetSteps()
+{
+  return { &this->Impl->Rows, &this->Impl->Columns, &this->Impl->Visibility };
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowTextureArray*> vtkSeparableSoftShadowPass::GetTextures()
+{
+  Internals& impl = *this->Impl;
+  return { impl.Points, impl.SearchRows, impl.FilterRows, impl.Reuse.GetShares(SEARCH_STAGE),
+    impl.Reuse.GetShares(FILTER_STAGE) };
+}
+
+//------------------------------------------------------------------------------
+bool vtkSeparableSoftShadowPass::WritesShares(int stage) const
+{
+  return this->CountReuse || (stage == SEARCH_STAGE && this->DebugView == DEBUG_SEARCH_REUSE);
 }
 
 //------------------------------------------------------------------------------
 void vtkSeparableSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  const int width = context.Receivers->GetWidth();
-  const int height = context.Receivers->GetHeight();
-  bool allocated = true;
-  for (vtkShadowTextureArray* texture :
-    { impl.Points.Get(), impl.SearchRows.Get(), impl.FilterRows.Get() })
+  bool allocated = vtkSeparableSoftShadowPass::Allocate(
+    context, vtkShadowTextureArray::RGBA32F, { impl.Points, impl.SearchRows, impl.FilterRows });
+  for (int stage = 0; stage < vtkSeparableReuseCount::Stages; ++stage)
   {
     allocated = allocated &&
-      texture->Allocate(context.Window, vtkShadowTextureArray::RGBA32F, width, height, 1);
-  }
-  for (int stage = 0; stage < 2 && this->CountReuse; ++stage)
-  {
-    allocated = allocated &&
-      impl.Shares[stage]->Allocate(context.Window, vtkShadowTextureArray::R32F, width, height, 1);
+      (!this->WritesShares(stage) ||
+        vtkSeparableSoftShadowPass::Allocate(
+          context, vtkShadowTextureArray::R32F, { impl.Reuse.GetShares(stage) }));
   }
   if (!allocated)
   {
@@ -109,33 +185,27 @@ void vtkSeparableSoftShadowPass::AddVisibility(const vtkSoftShadowContext& conte
   this->DrawVisibility(context);
   if (this->CountReuse)
   {
-    this->AddReuse(context);
+    impl.Reuse.Add(this->ChangeStatistics().VisibilityFrames);
+    const auto percent = [&impl](int stage)
+    { return static_cast<vtkTypeInt64>(100.0 * impl.Reuse.GetShare(stage) + 0.5); };
+    this->ChangeStatistics().TechniqueCounts = { { "percent_of_search_rows_reused",
+                                                   percent(SEARCH_STAGE) },
+      { "percent_of_filter_rows_reused", percent(FILTER_STAGE) } };
   }
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkSeparableSoftShadowPass::UseStep(
-  vtkShadowShader& shader, const vtkSoftShadowContext& context)
+vtkShaderProgram* vtkSeparableSoftShadowPass::UseRows(
+  vtkSeparableStep& step, const vtkSoftShadowContext& context)
 {
-  if (!shader.Use(context.Window))
+  vtkShaderProgram* program = this->UseStep(step, context);
+  if (program)
   {
-    return nullptr;
+    program->SetUniformi("footprint", this->Footprint ? 1 : 0);
+    const float axes[2][2] = { { 1.0f, 0.0f }, { 0.0f, 1.0f } };
+    program->SetUniform2f("rowAxis", axes[this->RowAxis]);
+    program->SetUniform2f("columnAxis", axes[1 - this->RowAxis]);
   }
-  vtkShaderProgram* program = shader.GetProgram();
-  this->SetReceiverUniforms(program, context);
-  this->SetMapUniforms(
-    program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
-  program->SetUniformi("depthMaps", context.Maps->GetTexture()->Activate());
-  program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
-  // All taps of a light without extent are the same one.
-  const bool hasExtent = context.Emitter.HasExtent();
-  program->SetUniformi("searchWidth", hasExtent ? this->SearchWidth : 1);
-  program->SetUniformi("filterWidth", hasExtent ? this->FilterWidth : 1);
-  program->SetUniformi("footprint", this->Footprint ? 1 : 0);
-  program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
-  const float axes[2][2] = { { 1.0f, 0.0f }, { 0.0f, 1.0f } };
-  program->SetUniform2f("rowAxis", axes[this->RowAxis]);
-  program->SetUniform2f("columnAxis", axes[1 - this->RowAxis]);
   return program;
 }
 
@@ -154,8 +224,9 @@ void vtkSeparableSoftShadowPass::SetReuseUniforms(
     static_cast<float>(context.Receivers->GetHeight()) };
   program->SetUniform2f("screenSize", size);
   const double* range = context.Renderer->GetActiveCamera()->GetClippingRange();
-  const float limits[2] = { static_cast<float>(this->Alpha * (view.Far - view.Near)),
-    static_cast<float>(this->Beta * (range[1] - range[0])) };
+  const float limits[2] = { static_cast<float>(
+                              this->GetLightAlpha(context.Source) * (view.Far - view.Near)),
+    static_cast<float>(this->GetLightBeta(context.Source) * (range[1] - range[0])) };
   program->SetUniform2f("reusePublishedLimits", limits);
 }
 
@@ -182,12 +253,14 @@ std::array<float, 3> vtkSeparableSoftShadowPass::GetRowWeights(
 void vtkSeparableSoftShadowPass::DrawRows(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  if (this->UseStep(impl.Rows.GetShader(), context))
+  if (vtkShaderProgram* program = this->UseRows(impl.Rows, context))
   {
-    impl.Target.Draw(context.Window, impl.Rows.GetShader(),
-      { { impl.Points, 0.0f }, { impl.SearchRows, 0.0f } }, 0);
-    context.Maps->GetTexture()->Deactivate();
-    context.Receivers->Deactivate();
+    // No ray from a pixel that was proved lit meets a blocker: the footprint leaves its row empty.
+    const auto setPart = [this, program](bool proved)
+    { program->SetUniformi("provedByFootprint", proved && this->Footprint ? 1 : 0); };
+    this->GetTarget().Draw(context.Window, impl.Rows.GetShader(),
+      { { impl.Points, 0.0f }, { impl.SearchRows, 0.0f } }, context.Marks, setPart);
+    vtkSeparableSoftShadowPass::EndStep(context);
   }
 }
 
@@ -195,20 +268,22 @@ void vtkSeparableSoftShadowPass::DrawRows(const vtkSoftShadowContext& context)
 void vtkSeparableSoftShadowPass::DrawColumns(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  if (vtkShaderProgram* program = this->UseStep(impl.Columns.GetShader(), context))
+  if (vtkShaderProgram* program = this->UseRows(impl.Columns, context))
   {
     this->SetReuseUniforms(program, context);
     program->SetUniformi("searchRows", impl.SearchRows->Activate());
     const std::array<float, 3> weights = this->GetRowWeights(context);
     program->SetUniformf("rowTotal", weights[0] + weights[1] + weights[2]);
-    program->SetUniformf("alpha", static_cast<float>(this->Alpha));
-    vtkShadowTextureArray* share = this->CountReuse ? impl.Shares[SEARCH_STAGE].Get() : nullptr;
-    impl.Target.Draw(context.Window, impl.Columns.GetShader(),
-      { { impl.FilterRows, vtkSeparableStep::ProvedRow }, { share, Uncounted } }, context.Marks);
+    program->SetUniformf("alpha", static_cast<float>(this->GetLightAlpha(context.Source)));
+    vtkShadowTextureArray* shares =
+      this->WritesShares(SEARCH_STAGE) ? impl.Reuse.GetShares(SEARCH_STAGE) : nullptr;
+    this->GetTarget().Draw(context.Window, impl.Columns.GetShader(),
+      { { impl.FilterRows, vtkSeparableStep::ProvedRow },
+        { shares, vtkSeparableReuseCount::Uncounted } },
+      context.Marks);
     impl.SearchRows->Deactivate();
     impl.Points->Deactivate();
-    context.Maps->GetTexture()->Deactivate();
-    context.Receivers->Deactivate();
+    vtkSeparableSoftShadowPass::EndStep(context);
   }
 }
 
@@ -216,11 +291,14 @@ void vtkSeparableSoftShadowPass::DrawColumns(const vtkSoftShadowContext& context
 void vtkSeparableSoftShadowPass::DrawVisibility(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
-  if (vtkShaderProgram* program = this->UseStep(impl.Visibility.GetShader(), context))
+  if (vtkShaderProgram* program = this->UseRows(impl.Visibility, context))
   {
     this->SetReuseUniforms(program, context);
     program->SetUniformi("filterRows", impl.FilterRows->Activate());
-    program->SetUniformf("beta", static_cast<float>(this->Beta));
+    vtkShadowTextureArray* searchShares = impl.Reuse.GetShares(SEARCH_STAGE);
+    program->SetUniformi("searchShares", searchShares->Activate(context.Window));
+    program->SetUniformi("debugView", this->DebugView);
+    program->SetUniformf("beta", static_cast<float>(this->GetLightBeta(context.Source)));
     program->SetUniformf("widthTolerance", WidthTolerance);
     program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
     const std::array<float, 3> weights = this->GetRowWeights(context);
@@ -228,125 +306,34 @@ void vtkSeparableSoftShadowPass::DrawVisibility(const vtkSoftShadowContext& cont
     this->DrawFiltered(impl.Visibility.GetShader());
     if (this->CountReuse)
     {
-      impl.Target.Draw(context.Window, impl.Visibility.GetShader(),
-        { { nullptr, 0.0f }, { impl.Shares[FILTER_STAGE], Uncounted } }, context.Marks);
+      this->GetTarget().Draw(context.Window, impl.Visibility.GetShader(),
+        { { nullptr, 0.0f },
+          { impl.Reuse.GetShares(FILTER_STAGE), vtkSeparableReuseCount::Uncounted } },
+        context.Marks);
     }
+    searchShares->Deactivate();
     impl.FilterRows->Deactivate();
     impl.Points->Deactivate();
-    context.Maps->GetTexture()->Deactivate();
-    context.Receivers->Deactivate();
+    vtkSeparableSoftShadowPass::EndStep(context);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkSeparableSoftShadowPass::AddReuse(const vtkSoftShadowContext& context)
-{
-  Internals& impl = *this->Impl;
-  const vtkTypeInt64 frame = this->ChangeStatistics().VisibilityFrames;
-  impl.ShareSize[0] = context.Receivers->GetWidth();
-  impl.ShareSize[1] = context.Receivers->GetHeight();
-  const size_t size = static_cast<size_t>(impl.ShareSize[0]) * impl.ShareSize[1];
-  for (int stage = 0; stage < 2; ++stage)
-  {
-    if (impl.ShareFrame != frame || impl.ShareCounts[stage].size() != size)
-    {
-      impl.ShareCounts[stage].assign(size, 0);
-      impl.ShareSums[stage].assign(size, 0.0f);
-    }
-    const std::vector<float> shares = impl.Shares[stage]->ReadLayer(0);
-    for (size_t i = 0; i < size; ++i)
-    {
-      if (shares[i] != Uncounted)
-      {
-        ++impl.ShareCounts[stage][i];
-        impl.ShareSums[stage][i] += shares[i];
-      }
-    }
-  }
-  impl.ShareFrame = frame;
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> vtkSeparableSoftShadowPass::GetReuseImage(int stage)
 {
-  const Internals& impl = *this->Impl;
-  if (stage < SEARCH_STAGE || stage > FILTER_STAGE || impl.ShareCounts[stage].empty())
-  {
-    return nullptr;
-  }
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(impl.ShareSize[0], impl.ShareSize[1], 1);
-  image->AllocateScalars(VTK_FLOAT, 1);
-  auto* values = static_cast<float*>(image->GetScalarPointer());
-  for (size_t i = 0; i < impl.ShareCounts[stage].size(); ++i)
-  {
-    const int count = impl.ShareCounts[stage][i];
-    values[i] = count > 0 ? impl.ShareSums[stage][i] / static_cast<float>(count)
-                          : std::numeric_limits<float>::quiet_NaN();
-  }
-  return image;
+  return this->Impl->Reuse.MakeImage(stage);
 }
 
 //------------------------------------------------------------------------------
 double vtkSeparableSoftShadowPass::GetReuseShare(int stage)
 {
-  const Internals& impl = *this->Impl;
-  double sum = 0.0;
-  double count = 0.0;
-  if (stage < SEARCH_STAGE || stage > FILTER_STAGE)
-  {
-    return 0.0;
-  }
-  for (size_t i = 0; i < impl.ShareCounts[stage].size(); ++i)
-  {
-    sum += impl.ShareSums[stage][i];
-    count += impl.ShareCounts[stage][i];
-  }
-  return count > 0.0 ? sum / count : 0.0;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkSeparableSoftShadowPass::GetTechniqueBytes()
-{
-  vtkTypeInt64 bytes = 0;
-  for (vtkShadowTextureArray* texture : this->Impl->GetTextures())
-  {
-    bytes += texture->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-int vtkSeparableSoftShadowPass::GetTechniqueShaderBuilds()
-{
-  return this->Impl->Rows.GetShader().GetNumberOfBuilds() +
-    this->Impl->Columns.GetShader().GetNumberOfBuilds() +
-    this->Impl->Visibility.GetShader().GetNumberOfBuilds();
-}
-
-//------------------------------------------------------------------------------
-void vtkSeparableSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Superclass::ReleaseGraphicsResources(window);
-  for (vtkSeparableStep* step :
-    { &this->Impl->Rows, &this->Impl->Columns, &this->Impl->Visibility })
-  {
-    step->GetShader().ReleaseGraphicsResources(window);
-  }
-  for (vtkShadowTextureArray* texture : this->Impl->GetTextures())
-  {
-    texture->ReleaseGraphicsResources(window);
-  }
-  this->Impl->Target.ReleaseGraphicsResources(window);
+  return this->Impl->Reuse.GetShare(stage);
 }
 
 //------------------------------------------------------------------------------
 void vtkSeparableSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SearchWidth: " << this->SearchWidth << "\n";
-  os << indent << "FilterWidth: " << this->FilterWidth << "\n";
-  os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
   os << indent << "Reuse: " << (this->Reuse == REUSE_BY_KERNEL ? "by kernel" : "as published")
      << "\n";
   os << indent << "Alpha: " << this->Alpha << "\n";
@@ -354,5 +341,8 @@ void vtkSeparableSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Footprint: " << (this->Footprint ? "on" : "off") << "\n";
   os << indent << "RowAxis: " << (this->RowAxis == ROWS_ALONG_S ? "s" : "t") << "\n";
   os << indent << "CountReuse: " << (this->CountReuse ? "on" : "off") << "\n";
+  const char* const views[] = { "none", "search_reuse", "filter_reuse" };
+  os << indent << "DebugView: " << views[this->DebugView] << "\n";
+  os << indent << "LightThresholds: " << this->Impl->Thresholds.size() << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -26,51 +26,22 @@
 #define vtkSeparableSoftShadowPass_h
 
 #include "vtkRenderingSoftShadowsSeparableModule.h" // For export macro
-#include "vtkShadowLightSampling.h"                 // For weights
-#include "vtkSoftShadowPass.h"
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkSoftShadowsABI.h"                      // For the ABI namespace
+#include "vtkTwoKernelSoftShadowPass.h"
 
 #include <array>  // For weights
 #include <memory> // For the implementation
+#include <vector> // For lists
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKRENDERINGSOFTSHADOWSSEPARABLE_EXPORT vtkSeparableSoftShadowPass : public vtkSoftShadowPass
+class VTKRENDERINGSOFTSHADOWSSEPARABLE_EXPORT vtkSeparableSoftShadowPass
+  : public vtkTwoKernelSoftShadowPass
 {
 public:
   static vtkSeparableSoftShadowPass* New();
-  vtkTypeMacro(vtkSeparableSoftShadowPass, vtkSoftShadowPass);
+  vtkTypeMacro(vtkSeparableSoftShadowPass, vtkTwoKernelSoftShadowPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
-  ///@{
-  /**
-   * Taps along an edge of the blocker search, in [1, 128]. Default is 15.
-   */
-  vtkSetClampMacro(SearchWidth, int, 1, 128);
-  vtkGetMacro(SearchWidth, int);
-  ///@}
-
-  ///@{
-  /**
-   * Taps along an edge of the filter, in [1, 128]. Published pairs of search and filter are 7/15,
-   * 11/21 and 29/41. Default is 21.
-   */
-  vtkSetClampMacro(FilterWidth, int, 1, 128);
-  vtkGetMacro(FilterWidth, int);
-  ///@}
-
-  ///@{
-  /**
-   * Weights of the taps: N(0, 0.5) over the light's window [-1, 1]^2, or uniform. The Gaussian hides
-   * that the kernel is a square. Default is GAUSSIAN.
-   */
-  vtkSetClampMacro(Weights, int, vtkShadowLightSampling::MEAN, vtkShadowLightSampling::GAUSSIAN);
-  vtkGetMacro(Weights, int);
-  void SetWeightsToMean() { this->SetWeights(vtkShadowLightSampling::MEAN); }
-  void SetWeightsToGaussian() { this->SetWeights(vtkShadowLightSampling::GAUSSIAN); }
-  ///@}
 
   /// When a row of another pixel may stand for the row that is needed.
   enum ReuseType
@@ -115,6 +86,17 @@ public:
 
   ///@{
   /**
+   * Thresholds of one light, in the place of Alpha and Beta and clamped like them, until they are
+   * reset. A light that is deleted takes them with it.
+   */
+  void SetLightThresholds(vtkLight* light, double alpha, double beta);
+  void ResetLightThresholds(vtkLight* light);
+  double GetLightAlpha(vtkLight* light) const;
+  double GetLightBeta(vtkLight* light) const;
+  ///@}
+
+  ///@{
+  /**
    * Whether the blocker search leaves out what no ray from the receiver to the light can meet: taps
    * outside the light's image at their own depth, as in vtkPercentageCloserSoftShadowPass. The paper
    * takes all taps. Default is on.
@@ -139,21 +121,21 @@ public:
   vtkGetMacro(RowAxis, int);
   ///@}
 
-  ///@{
-  /**
-   * Count the rows that are reused, for GetReuseImage and GetReuseShare. Takes a second draw of the
-   * last step and a wait for the GPU. Default is off.
-   */
-  vtkSetMacro(CountReuse, bool);
-  vtkGetMacro(CountReuse, bool);
-  vtkBooleanMacro(CountReuse, bool);
-  ///@}
-
   enum StageType
   {
     SEARCH_STAGE = 0,
     FILTER_STAGE = 1
   };
+
+  ///@{
+  /**
+   * Count the rows that are reused, for GetReuseImage, GetReuseShare and the statistics. Takes a second
+   * draw of the last step and a wait for the GPU. Default is off.
+   */
+  vtkSetMacro(CountReuse, bool);
+  vtkGetMacro(CountReuse, bool);
+  vtkBooleanMacro(CountReuse, bool);
+  ///@}
 
   ///@{
   /**
@@ -165,24 +147,38 @@ public:
   double GetReuseShare(int stage);
   ///@}
 
+  enum DebugViewType
+  {
+    DEBUG_NONE = 0,
+    DEBUG_SEARCH_REUSE = 1,
+    DEBUG_FILTER_REUSE = 2
+  };
+  ///@{
+  /**
+   * Shows, in place of visibilities, the share of rows that were reused in a stage, black 0 and white 1
+   * (the paper's Fig. 10); 1 also where no row is needed. Default is DEBUG_NONE.
+   */
+  vtkSetClampMacro(DebugView, int, DEBUG_NONE, DEBUG_FILTER_REUSE);
+  vtkGetMacro(DebugView, int);
+  ///@}
+
 protected:
   vtkSeparableSoftShadowPass();
   ~vtkSeparableSoftShadowPass() override;
 
   void AddVisibility(const vtkSoftShadowContext& context) override;
-  bool HasGaussianWeights() const override;
-  vtkTypeInt64 GetTechniqueBytes() override;
-  int GetTechniqueShaderBuilds() override;
+  /// Shares are shown where there is no light, too.
+  int GetProof() const override;
+  std::vector<vtkSeparableStep*> GetSteps() override;
+  std::vector<vtkShadowTextureArray*> GetTextures() override;
 
-  int SearchWidth = 15;
-  int FilterWidth = 21;
-  int Weights = vtkShadowLightSampling::GAUSSIAN;
   int Reuse = REUSE_BY_KERNEL;
   double Alpha = 0.1;
   double Beta = 0.1;
   bool Footprint = true;
   int RowAxis = ROWS_ALONG_S;
   bool CountReuse = false;
+  int DebugView = DEBUG_NONE;
 
 private:
   vtkSeparableSoftShadowPass(const vtkSeparableSoftShadowPass&) = delete;
@@ -194,8 +190,9 @@ private:
   void DrawRows(const vtkSoftShadowContext& context);
   void DrawColumns(const vtkSoftShadowContext& context);
   void DrawVisibility(const vtkSoftShadowContext& context);
-  void AddReuse(const vtkSoftShadowContext& context);
-  vtkShaderProgram* UseStep(vtkShadowShader& shader, const vtkSoftShadowContext& context);
+  /// Whether the steps write the share of rows that they reuse in a stage.
+  bool WritesShares(int stage) const;
+  vtkShaderProgram* UseRows(vtkSeparableStep& step, const vtkSoftShadowContext& context);
   /// Sums of the filter's weights in the parts of a row.
   std::array<float, 3> GetRowWeights(const vtkSoftShadowContext& context) const;
   void SetReuseUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context);

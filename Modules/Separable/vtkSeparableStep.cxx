@@ -5,6 +5,7 @@
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
+#include "vtkSeparableSoftShadowPass.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowMapView.h"
 #include "vtkShadowReceivers.h"
@@ -29,10 +30,14 @@ vtkSeparableStep::vtkSeparableStep(const char* text)
   : Text(Compose(text))
   , Shader(this->Text.c_str())
 {
-  this->Shader.SetDefinitions({ { "SEPARABLE_LIT", "1.0" }, { "SEPARABLE_BLOCKED", "2.0" },
-    { "SEPARABLE_LIT_ROW", std::to_string(vtkSeparableStep::LitRow) },
-    { "SEPARABLE_NO_ROW", std::to_string(vtkSeparableStep::NoRow) },
-    { "SEPARABLE_PROVED", std::to_string(vtkSeparableStep::ProvedRow) } });
+  using Pass = vtkSeparableSoftShadowPass;
+  this->Shader.SetDefinitions(
+    { { "SEPARABLE_DEBUG_SEARCH", std::to_string(Pass::DEBUG_SEARCH_REUSE) },
+      { "SEPARABLE_DEBUG_FILTER", std::to_string(Pass::DEBUG_FILTER_REUSE) },
+      { "SEPARABLE_LIT", "1.0" }, { "SEPARABLE_BLOCKED", "2.0" },
+      { "SEPARABLE_LIT_ROW", std::to_string(vtkSeparableStep::LitRow) },
+      { "SEPARABLE_NO_ROW", std::to_string(vtkSeparableStep::NoRow) },
+      { "SEPARABLE_PROVED", std::to_string(vtkSeparableStep::ProvedRow) } });
 }
 
 //------------------------------------------------------------------------------

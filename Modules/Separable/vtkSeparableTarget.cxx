@@ -10,18 +10,14 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader,
-  const std::vector<Output>& outputs, unsigned int marks)
+void vtkSeparableTarget::Attach(
+  vtkOpenGLRenderWindow* window, const std::vector<Output>& outputs, unsigned int marks)
 {
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  state->PushFramebufferBindings();
   if (!this->Framebuffer)
   {
     glGenFramebuffers(1, &this->Framebuffer);
   }
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
   std::vector<unsigned int> buffers;
   for (size_t i = 0; i < outputs.size(); ++i)
   {
@@ -33,8 +29,33 @@ void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& sh
     buffers.push_back(outputs[i].Texture ? attachment : GL_NONE);
   }
   glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, marks);
-  state->vtkglDrawBuffers(static_cast<unsigned int>(buffers.size()), buffers.data());
+  window->GetState()->vtkglDrawBuffers(static_cast<unsigned int>(buffers.size()), buffers.data());
+}
+
+//------------------------------------------------------------------------------
+// Nothing stays attached: it may be read by the next step.
+void vtkSeparableTarget::Detach(size_t outputs)
+{
+  for (size_t i = 0; i < outputs; ++i)
+  {
+    glFramebufferTextureLayer(
+      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(i), 0, 0, 0);
+  }
+  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader,
+  const std::vector<Output>& outputs, unsigned int marks, const PartSetter& setPart)
+{
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
+  state->PushFramebufferBindings();
+  this->Attach(window, outputs, marks);
   state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
   for (size_t i = 0; i < outputs.size(); ++i)
   {
     if (outputs[i].Texture)
@@ -43,22 +64,21 @@ void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& sh
       glClearBufferfv(GL_COLOR, static_cast<int>(i), value.data());
     }
   }
-  if (marks)
+  // Marks are depths: 1 where a pixel is filtered, 0 elsewhere; shaders draw at 0.5.
+  for (const bool proved : { false, true })
   {
-    state->vtkglEnable(GL_DEPTH_TEST);
+    if (proved && !setPart)
+    {
+      break;
+    }
+    if (setPart)
+    {
+      setPart(proved);
+    }
+    state->vtkglDepthFunc(proved ? GL_GREATER : GL_LESS);
+    shader.Draw();
   }
-  else
-  {
-    state->vtkglDisable(GL_DEPTH_TEST);
-  }
-  shader.Draw();
-  for (size_t i = 0; i < outputs.size(); ++i)
-  {
-    // Nothing stays attached: it may be read by the next step.
-    glFramebufferTextureLayer(
-      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(i), 0, 0, 0);
-  }
-  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
+  vtkSeparableTarget::Detach(outputs.size());
   state->PopFramebufferBindings();
 }
 

@@ -10,7 +10,8 @@
 
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
-#include <vector> // For lists
+#include <functional> // For a function
+#include <vector>     // For lists
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -32,17 +33,26 @@ public:
     float ClearValue;               // of all components
   };
 
+  /// Called before each part of the pixels is drawn: those that are filtered, or the proved ones.
+  using PartSetter = std::function<void(bool proved)>;
+
   /**
-   * Clears the outputs and draws the shader, whose program must be in use, into them. Only marked
-   * pixels are touched if marks (see vtkSoftShadowContext::Marks) is not 0. The viewport must be
-   * the textures' size. Framebuffers and state are restored.
+   * Clears the outputs and draws the shader, whose program must be in use, into them: at the pixels
+   * that are marked for the last step (see vtkSoftShadowContext::Marks), and, if setPart is given, at
+   * all others after them. The viewport must be the textures' size. Framebuffers and state are
+   * restored.
    */
   void Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader,
-    const std::vector<Output>& outputs, unsigned int marks);
+    const std::vector<Output>& outputs, unsigned int marks,
+    const PartSetter& setPart = PartSetter());
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  void Attach(
+    vtkOpenGLRenderWindow* window, const std::vector<Output>& outputs, unsigned int marks);
+  static void Detach(size_t outputs);
+
   unsigned int Framebuffer = 0;
 };
 

@@ -31,6 +31,13 @@ vtkShadowShader::Definitions GridDefinitions()
     { "VIRTUAL_UNUSED", std::to_string(vtkVirtualTileTree::Unused) } };
 }
 
+// Mesa's software rasterisers run vertex shaders at once, even on a texture that they still draw.
+bool IsDrawnInSoftware()
+{
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
+}
+
 // Cells of all levels together.
 size_t CountCells()
 {
@@ -71,6 +78,7 @@ bool vtkVirtualGrid::Allocate(vtkOpenGLRenderWindow* window)
   }
   if (!this->Framebuffer)
   {
+    this->DrawnInSoftware = IsDrawnInSoftware();
     glGenFramebuffers(1, &this->Framebuffer);
     glGenBuffers(1, &this->PixelBuffer);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
@@ -132,6 +140,10 @@ bool vtkVirtualGrid::DrawPoints(vtkOpenGLRenderWindow* window, vtkVirtualScreen&
     {
       return false;
     }
+  }
+  if (this->DrawnInSoftware)
+  {
+    glFinish(); // the points look up what the step before drew
   }
   this->Wishes[0]->AttachLayer(0);
   const float unused[4] = { vtkVirtualTileTree::Unused, vtkVirtualTileTree::Unused, 0.0f, 0.0f };

@@ -66,6 +66,7 @@ private:
   unsigned int Framebuffer = 0;
   unsigned int PixelBuffer = 0;
   int PointBuilds = 0;
+  bool DrawnInSoftware = false;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -159,7 +159,10 @@ vtkVirtualSoftShadowPass::vtkVirtualSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualSoftShadowPass::~vtkVirtualSoftShadowPass() = default;
+vtkVirtualSoftShadowPass::~vtkVirtualSoftShadowPass()
+{
+  this->ReleaseBeforeDestruction();
+}
 
 //------------------------------------------------------------------------------
 void vtkVirtualSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)

@@ -199,6 +199,7 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
   impl.Timers.BeginStep("receivers");
   this->DrawReceivers(s);
   impl.Timers.BeginStep("visibility");
+  impl.Statistics.TechniqueCounts.clear();
   this->EstimateLights(s);
   impl.Signature.Swap(impl.NextSignature);
   ++impl.Statistics.VisibilityFrames;

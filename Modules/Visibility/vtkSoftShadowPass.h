@@ -35,8 +35,10 @@
 #include "vtkSmartPointer.h"                         // For images
 #include "vtkSoftShadowStatistics.h"                 // For statistics
 #include "vtkSoftShadowsABI.h"                       // For the ABI namespace
+#include "vtkWrappingHints.h"                        // For VTK_WRAPEXCLUDE
 
 #include <memory> // For the implementation
+#include <string> // For names
 #include <vector> // For samples
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -63,6 +65,8 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
   /// Which of the lit lights, in the renderer's order, and which of its emitters (faces x parts).
   int Light = 0;
   int Part = 0;
+  /// That light itself.
+  vtkLight* Source = nullptr;
   /// Which axis of the cube a face of an omni light looks along; -1 for other lights.
   int FaceAxis = -1;
   /// The emitter; Weight is what its visibility is multiplied by.
@@ -197,14 +201,29 @@ public:
    * The visibility of a light in the last frame: float, one component, the size of the viewport,
    * bottom row first. NaN where there is no surface, where the surface receives no shadow or is
    * unlit, and outside the light's cone or behind it. Null if the light was not lit. Waits for the
-   * GPU; needs the window's context.
+   * GPU and makes the context of the last frame's window current. Not wrapped: VTK 9.1 wraps no smart
+   * pointers.
    */
-  vtkSmartPointer<vtkImageData> GetVisibilityImage(vtkLight* light);
-  vtkSmartPointer<vtkImageData> GetVisibilityImage(int litLight);
+  VTK_WRAPEXCLUDE vtkSmartPointer<vtkImageData> GetVisibilityImage(vtkLight* light);
+  VTK_WRAPEXCLUDE vtkSmartPointer<vtkImageData> GetVisibilityImage(int litLight);
   ///@}
 
   /// Linear view depth of the receivers in the last frame, NaN where there is no surface.
-  vtkSmartPointer<vtkImageData> GetDepthImage();
+  VTK_WRAPEXCLUDE vtkSmartPointer<vtkImageData> GetDepthImage();
+
+  /**
+   * Writes the visibility of a light in the last frame into an image: float, one component, the
+   * size of the viewport, bottom row first, 1 lit and 0 umbra. NaN where there is no surface, where
+   * the surface receives no shadow or is unlit, and outside the light's cone or behind it. Returns
+   * false, the image untouched, if the light was not lit. Makes the window's context current.
+   */
+  bool GetVisibilityImage(vtkLight* light, vtkImageData* image);
+
+  /**
+   * Writes the linear view depth of the receivers in the last frame into an image of the same form,
+   * NaN where there is no surface. Returns false, the image untouched, before the first frame.
+   */
+  bool GetDepthImage(vtkImageData* image);
 
   ///@{
   /**
@@ -217,6 +236,15 @@ public:
 
   /// Counts and times.
   const vtkSoftShadowStatistics& GetStatistics();
+
+  ///@{
+  /**
+   * One count or time of the statistics, for wrapped languages: its name is that in
+   * vtkSoftShadowStatistics::GetCounts ("maps_baked") or of a step ("shading"). -1 if there is none.
+   */
+  vtkTypeInt64 GetCount(const std::string& name);
+  double GetMilliseconds(const std::string& step);
+  ///@}
 
   /// A line per lit light of the renderer in the last frame: what it casts, or why it casts nothing.
   std::string GetLightReport() const;

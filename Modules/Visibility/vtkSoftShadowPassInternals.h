@@ -41,6 +41,15 @@ public:
   /// The window whose context holds the resources, as long as it lives.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
 
+  // What is read back lies in the window of the last frame, whichever has rendered or died since.
+  void MakeCurrent()
+  {
+    if (this->Window)
+    {
+      this->Window->MakeCurrent();
+    }
+  }
+
   /// A lit light of the frame.
   struct LitLight
   {

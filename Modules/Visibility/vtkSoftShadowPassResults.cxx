@@ -36,6 +36,25 @@ vtkSmartPointer<vtkImageData> MakeImage(const std::vector<float>& values, int wi
   return image;
 }
 
+bool CopyImage(vtkImageData* from, vtkImageData* to)
+{
+  if (!from || !to)
+  {
+    return false;
+  }
+  to->ShallowCopy(from);
+  return true;
+}
+
+// The value of that name in a list of the statistics.
+template <typename Value>
+Value FindByName(const std::vector<std::pair<std::string, Value>>& list, const std::string& name)
+{
+  const auto found = std::find_if(
+    list.begin(), list.end(), [&name](const auto& entry) { return entry.first == name; });
+  return found != list.end() ? found->second : Value(-1);
+}
+
 void ReportLight(std::ostream& os, const vtkShadowEmitter& emitter)
 {
   const char* const shapes[] = { "a rectangle", "a disk", "a point" };
@@ -80,6 +99,7 @@ vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetVisibilityImage(int litLight
   const int width = impl.Viewport[2];
   const int height = impl.Viewport[3];
   const int layer = impl.Lights[litLight].Layer;
+  impl.MakeCurrent();
   if (layer >= 0)
   {
     vtkShadowTextureArray* texture = impl.Target.GetTexture();
@@ -99,7 +119,20 @@ vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetVisibilityImage(int litLight
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetDepthImage()
 {
+  this->Impl->MakeCurrent();
   return this->Impl->Receivers->ReadDepth();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::GetVisibilityImage(vtkLight* light, vtkImageData* image)
+{
+  return CopyImage(this->GetVisibilityImage(light), image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::GetDepthImage(vtkImageData* image)
+{
+  return CopyImage(this->GetDepthImage(), image);
 }
 
 //------------------------------------------------------------------------------
@@ -127,6 +160,7 @@ const vtkSoftShadowStatistics& vtkSoftShadowPass::GetStatistics()
   Internals& impl = *this->Impl;
   vtkSoftShadowStatistics& statistics = impl.Statistics;
   statistics.PixelsFiltered = 0;
+  impl.MakeCurrent();
   for (size_t i = 0; i < impl.UsedQueries; ++i)
   {
     GLuint pixels = 0;
@@ -156,6 +190,18 @@ const vtkSoftShadowStatistics& vtkSoftShadowPass::GetStatistics()
     impl.Accumulator.GetNumberOfBuilds() + this->GetTechniqueShaderBuilds();
   statistics.Milliseconds = impl.Timers.Collect();
   return statistics;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkSoftShadowPass::GetCount(const std::string& name)
+{
+  return FindByName(this->GetStatistics().GetCounts(), name);
+}
+
+//------------------------------------------------------------------------------
+double vtkSoftShadowPass::GetMilliseconds(const std::string& step)
+{
+  return FindByName(this->GetStatistics().Milliseconds, step);
 }
 
 //------------------------------------------------------------------------------

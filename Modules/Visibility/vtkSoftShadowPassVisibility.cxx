@@ -77,6 +77,7 @@ void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s)
     if (impl.Lights[i].Casts)
     {
       context.Light = static_cast<int>(i);
+      context.Source = impl.Lights[i].Light;
       this->EstimateLight(context, impl.Lights[i].Layer);
     }
   }

@@ -6,7 +6,8 @@ VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, vtkTypeInt64>> vtkSoftShadowStatistics::GetCounts() const
 {
-  return { { "frames", this->Frames }, { "visibility_frames", this->VisibilityFrames },
+  std::vector<std::pair<std::string, vtkTypeInt64>> counts = { { "frames", this->Frames },
+    { "visibility_frames", this->VisibilityFrames },
     { "progressive_frames", this->ProgressiveFrames }, { "maps_baked", this->MapsBaked },
     { "texels_drawn", this->TexelsDrawn }, { "draw_calls", this->DrawCalls },
     { "shader_builds", this->ShaderBuilds }, { "mapper_shader_builds", this->MapperShaderBuilds },
@@ -15,5 +16,7 @@ std::vector<std::pair<std::string, vtkTypeInt64>> vtkSoftShadowStatistics::GetCo
     { "progressive_points", this->ProgressivePoints }, { "casters", this->Casters },
     { "mapper_casters", this->MapperCasters }, { "triangles", this->Triangles },
     { "bytes_held", this->BytesHeld } };
+  counts.insert(counts.end(), this->TechniqueCounts.begin(), this->TechniqueCounts.end());
+  return counts;
 }
 VTK_ABI_NAMESPACE_END

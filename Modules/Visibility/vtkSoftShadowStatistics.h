@@ -46,6 +46,8 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowStatistics
   vtkTypeInt64 PixelsFiltered = 0;
   int LightsCasting = 0;
   int LightsLit = 0;
+  /// What a technique counts beyond this, by name.
+  std::vector<std::pair<std::string, vtkTypeInt64>> TechniqueCounts;
   ///@}
 
   ///@{

@@ -19,11 +19,17 @@ namespace
 {
 
 //------------------------------------------------------------------------------
+int Choose(Effort effort, int accurate, int moderate, int quick)
+{
+  return effort == Effort::Accurate ? accurate : effort == Effort::Moderate ? moderate : quick;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkSoftShadowPass> MakeSampled(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkSampledSoftShadowPass>::New();
-  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
-  pass->SetNumberOfSamples(effort == Effort::Accurate ? 256 : 16);
+  pass->SetMapSize(Choose(effort, 2048, 512, 512));
+  pass->SetNumberOfSamples(Choose(effort, 256, 64, 16));
   pass->SetPatternToGrid();
   if (weights == Weights::Gaussian)
   {
@@ -40,9 +46,9 @@ vtkSmartPointer<vtkSoftShadowPass> MakeSampled(Effort effort, Weights weights)
 vtkSmartPointer<vtkSoftShadowPass> MakePercentageCloser(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkPercentageCloserSoftShadowPass>::New();
-  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
-  pass->SetSearchWidth(effort == Effort::Accurate ? 29 : 11);
-  pass->SetFilterWidth(effort == Effort::Accurate ? 41 : 21);
+  pass->SetMapSize(Choose(effort, 2048, 512, 512));
+  pass->SetSearchWidth(Choose(effort, 29, 17, 11));
+  pass->SetFilterWidth(Choose(effort, 41, 29, 21));
   if (weights == Weights::Gaussian)
   {
     pass->SetWeightsToGaussian();
@@ -58,8 +64,8 @@ vtkSmartPointer<vtkSoftShadowPass> MakePercentageCloser(Effort effort, Weights w
 vtkSmartPointer<vtkSoftShadowPass> MakeMarched(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkMarchedSoftShadowPass>::New();
-  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
-  pass->SetRays(effort == Effort::Accurate ? 64 : 16);
+  pass->SetMapSize(Choose(effort, 2048, 512, 512));
+  pass->SetRays(Choose(effort, 64, 32, 16));
   if (weights == Weights::Gaussian)
   {
     pass->SetWeightsToGaussian();
@@ -75,9 +81,9 @@ vtkSmartPointer<vtkSoftShadowPass> MakeMarched(Effort effort, Weights weights)
 vtkSmartPointer<vtkSoftShadowPass> MakeSeparable(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkSeparableSoftShadowPass>::New();
-  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
-  pass->SetSearchWidth(effort == Effort::Accurate ? 29 : 11);
-  pass->SetFilterWidth(effort == Effort::Accurate ? 41 : 21);
+  pass->SetMapSize(Choose(effort, 2048, 512, 512));
+  pass->SetSearchWidth(Choose(effort, 29, 17, 11));
+  pass->SetFilterWidth(Choose(effort, 41, 29, 21));
   if (weights == Weights::Gaussian)
   {
     pass->SetWeightsToGaussian();
@@ -93,18 +99,18 @@ vtkSmartPointer<vtkSoftShadowPass> MakeSeparable(Effort effort, Weights weights)
 vtkSmartPointer<vtkSoftShadowPass> MakeCascaded(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkCascadedSoftShadowPass>::New();
-  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
+  pass->SetMapSize(Choose(effort, 2048, 512, 512));
   pass->SetWeights(
     weights == Weights::Gaussian ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN);
   for (int i = 0; i < vtkCascadedSoftShadowPass::MaximumNumberOfCascades; ++i)
   {
-    pass->SetSampleEdge(i, effort == Effort::Accurate ? 16 : 4);
+    pass->SetSampleEdge(i, Choose(effort, 16, 8, 4));
     pass->SetResolution(i, vtkCascadedSoftShadowPass::HIGH);
     pass->SetFilterSize(i, 1);
   }
   // Maps cut to the view differ by their texels from view to view; the module's own tests look at
   // that.
-  pass->SetFitToView(effort == Effort::Accurate);
+  pass->SetFitToView(effort != Effort::Quick);
   return pass;
 }
 
@@ -112,12 +118,12 @@ vtkSmartPointer<vtkSoftShadowPass> MakeCascaded(Effort effort, Weights weights)
 vtkSmartPointer<vtkSoftShadowPass> MakeAdaptiveSampled(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkAdaptiveSampledSoftShadowPass>::New();
-  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
+  pass->SetMapSize(Choose(effort, 2048, 512, 512));
   pass->SetWeights(
     weights == Weights::Gaussian ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN);
   pass->SetFilterSize(0, 1);
-  pass->SetTolerance(effort == Effort::Accurate ? 0.0 : 0.125);
-  pass->SetMaximumLevel(effort == Effort::Accurate ? 3 : 2);
+  pass->SetTolerance(effort == Effort::Quick ? 0.125 : 0.0);
+  pass->SetMaximumLevel(Choose(effort, 3, 3, 2));
   return pass;
 }
 
@@ -126,10 +132,10 @@ vtkSmartPointer<vtkSoftShadowPass> MakeAdaptiveSampled(Effort effort, Weights we
 vtkSmartPointer<vtkSoftShadowPass> MakeVirtual(Effort effort, Weights)
 {
   auto pass = vtkSmartPointer<vtkVirtualSoftShadowPass>::New();
-  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
-  pass->SetSearchMapSize(effort == Effort::Accurate ? 1024 : 256);
-  pass->SetSearchWidth(effort == Effort::Accurate ? 24 : 12);
-  pass->SetAdaptive(effort == Effort::Accurate);
+  pass->SetMapSize(Choose(effort, 2048, 512, 512));
+  pass->SetSearchMapSize(Choose(effort, 1024, 256, 256));
+  pass->SetSearchWidth(Choose(effort, 24, 16, 12));
+  pass->SetAdaptive(effort != Effort::Quick);
   return pass;
 }
 
@@ -137,8 +143,8 @@ vtkSmartPointer<vtkSoftShadowPass> MakeVirtual(Effort effort, Weights)
 vtkSmartPointer<vtkSoftShadowPass> MakeBilateral(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkBilateralSoftShadowPass>::New();
-  pass->SetMapSize(effort == Effort::Accurate ? 2048 : 512);
-  pass->SetNumberOfSamples(effort == Effort::Accurate ? 64 : 15);
+  pass->SetMapSize(Choose(effort, 2048, 512, 512));
+  pass->SetNumberOfSamples(Choose(effort, 64, 32, 15));
   pass->SetWeights(
     weights == Weights::Gaussian ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN);
   return pass;

@@ -27,6 +27,7 @@ namespace SoftShadowsTesting
 enum class Effort
 {
   Accurate, ///< What the technique's published figures were measured with.
+  Moderate, ///< Maps of 512 texels and 64 points of the light, or as good.
   Quick     ///< Small maps and few samples, for tests that compare a technique with itself.
 };
 

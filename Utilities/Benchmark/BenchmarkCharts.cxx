@@ -3,6 +3,7 @@
 #include "BenchmarkCharts.h"
 
 #include <algorithm> // For sorting
+#include <cmath>     // For means
 #include <cstdlib>   // For numbers in options
 #include <limits>    // For the front
 #include <tuple>     // For points in order
@@ -79,12 +80,36 @@ std::string NameWithout(const ContestantResult& contestant, const std::string& o
   std::string name = contestant.Technique;
   for (const auto& other : contestant.Options)
   {
-    if (other.first != option)
+    // Uniform weights are everybody's; the widths of search and filter grow together.
+    const bool isImplied =
+      other.first == "weights" || (option == "filter_width" && other.first == "search_width");
+    if (other.first != option && !isImplied)
     {
       name += ' ' + other.first + '=' + other.second;
     }
   }
   return name;
+}
+
+//--------------------------------------------------------------------------------------------------
+// Sums of the logarithms of time and error, in the entry of the contestant's name.
+void AddLogarithms(const ContestantResult& contestant, std::vector<ContestantResult>& sums)
+{
+  auto found = std::find_if(sums.begin(), sums.end(),
+    [&contestant](const ContestantResult& sum) { return sum.Name == contestant.Name; });
+  if (found == sums.end())
+  {
+    ContestantResult sum;
+    sum.Name = contestant.Name;
+    sum.Technique = contestant.Technique;
+    sum.Options = contestant.Options;
+    sum.Errors.resize(1);
+    sum.Times[static_cast<size_t>(Motion::Light)].Milliseconds = { 0.0 };
+    found = sums.insert(sums.end(), sum);
+  }
+  found->Times[static_cast<size_t>(Motion::Light)].Milliseconds.front() +=
+    std::log(TimeOf(contestant));
+  found->Rmse += std::log(contestant.Rmse);
 }
 
 }
@@ -142,6 +167,46 @@ ChartDescription SpeedAgainstError(const SceneResult& scene)
   }
   list.MoveTo(chart.Series, 1);
   return chart;
+}
+
+//--------------------------------------------------------------------------------------------------
+ChartDescription SpeedAgainstErrorOfAll(const BenchmarkResults& results)
+{
+  SceneResult mean;
+  mean.Name = "all scenes, geometric means";
+  std::map<std::string, int> counts;
+  int scenes = 0;
+  for (const SceneResult& scene : results.Scenes)
+  {
+    const bool grows =
+      scene.Name.rfind("actors-", 0) == 0 || scene.Name.rfind("triangles-", 0) == 0;
+    if (grows || !scene.Failure.empty())
+    {
+      continue;
+    }
+    ++scenes;
+    for (const ContestantResult& contestant : scene.Contestants)
+    {
+      if (contestant.HasErrors() && HasTime(contestant) && contestant.Rmse > 0.0)
+      {
+        AddLogarithms(contestant, mean.Contestants);
+        ++counts[contestant.Name];
+      }
+    }
+  }
+  std::vector<ContestantResult> complete;
+  for (ContestantResult& contestant : mean.Contestants)
+  {
+    if (counts[contestant.Name] == scenes)
+    {
+      double& time = contestant.Times[static_cast<size_t>(Motion::Light)].Milliseconds.front();
+      time = std::exp(time / scenes);
+      contestant.Rmse = std::exp(contestant.Rmse / scenes);
+      complete.push_back(contestant);
+    }
+  }
+  mean.Contestants = complete;
+  return SpeedAgainstError(mean);
 }
 
 //--------------------------------------------------------------------------------------------------

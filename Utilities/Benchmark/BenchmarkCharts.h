@@ -23,6 +23,12 @@ ChartDescription SpeedAgainstError(const SceneResult& scene);
 std::vector<const ContestantResult*> ParetoFront(const SceneResult& scene);
 
 /**
+ * The same over all scenes but growing ones: geometric means of both over the scenes, of contestants
+ * that were measured in every one of them. Front: none is both faster and closer on the mean.
+ */
+ChartDescription SpeedAgainstErrorOfAll(const BenchmarkResults& results);
+
+/**
  * Time (lights moving) against an option: a series per technique of contestants that differ in this
  * option alone. Empty if no technique has two values of it.
  */

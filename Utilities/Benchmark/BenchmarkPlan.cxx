@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkPlan.h"
 
-#include "SceneBuilder.h"
+#include "BenchmarkScenes.h"
 #include "SceneReader.h"
 
 #include <algorithm>  // For selections
-#include <cmath>      // For rows of boxes
 #include <filesystem> // For scene files
 #include <set>        // For names
 #include <stdexcept>  // For unknown names
@@ -19,8 +18,14 @@ namespace
 constexpr const char* MapSizes[] = { "512", "1024", "2048", "4096" };
 /// The first is what the reports show pictures of.
 constexpr const char* Samples[] = { "16", "1", "4", "64", "256" };
+/// For techniques that make more of few samples.
+constexpr const char* FewSamples[] = { "4", "16" };
 /// Blocker search and filter, as published for separable soft shadow mapping.
 constexpr const char* Kernels[][2] = { { "7", "15" }, { "11", "21" }, { "29", "41" } };
+/// Rivals of papers, which have one setting.
+constexpr const char* Rivals[] = { "ssabss", "fassalss" };
+/// Compact, contacts, fine leaves, many depths.
+constexpr const char* QuickScenes[] = { "bunny", "assembly", "foliage", "fused" };
 
 //--------------------------------------------------------------------------------------------------
 class Plan
@@ -54,34 +59,49 @@ TechniqueOptions With(const KnownTechnique& technique, const TechniqueOptions& m
 }
 
 //--------------------------------------------------------------------------------------------------
-void AddTechnique(const KnownTechnique& technique, bool quick, Plan& plan)
+void AddFew(const KnownTechnique& technique, Plan& plan)
+{
+  TechniqueOptions options = With(technique, { { "map_size", "1024" } });
+  if (technique.Name == "sampled")
+  {
+    for (const char* samples : { "16", "1" })
+    {
+      options["samples"] = samples;
+      plan.Add(technique.Name, options);
+    }
+    return;
+  }
+  plan.Add(technique.Name, options);
+}
+
+//--------------------------------------------------------------------------------------------------
+void AddMain(const KnownTechnique& technique, Plan& plan)
 {
   const auto add = [&](const TechniqueOptions& options)
   { plan.Add(technique.Name, With(technique, options)); };
-  if (technique.Has("samples"))
+  if (technique.Name == "sampled")
   {
     for (const char* samples : Samples)
     {
-      const bool isWanted = !quick || samples == std::string("1") || samples == std::string("16");
-      if (isWanted)
-      {
-        add({ { "map_size", "1024" }, { "samples", samples } });
-      }
+      add({ { "map_size", "1024" }, { "samples", samples } });
     }
-  }
-  else if (quick)
-  {
-    add({ { "map_size", "1024" } });
-  }
-  if (quick)
-  {
     return;
   }
   add({});
-  add({ { "split", "2" } });
-  for (const char* size : MapSizes)
+  if (std::find(std::begin(Rivals), std::end(Rivals), technique.Name) != std::end(Rivals))
   {
-    add({ { "map_size", size } });
+    return;
+  }
+  if (technique.Has("samples"))
+  {
+    for (const char* samples : FewSamples)
+    {
+      add({ { "map_size", "1024" }, { "samples", samples } });
+    }
+  }
+  if (technique.Has("rays") && technique.Has("steps"))
+  {
+    add({ { "rays", "16" }, { "steps", "8" } });
   }
   for (const auto& kernel : Kernels)
   {
@@ -90,72 +110,29 @@ void AddTechnique(const KnownTechnique& technique, bool quick, Plan& plan)
       add({ { "search_width", kernel[0] }, { "filter_width", kernel[1] } });
     }
   }
-}
-
-//--------------------------------------------------------------------------------------------------
-BenchmarkScene MakeScene(const std::string& name, const SceneDescription& description,
-  const std::shared_ptr<ModelStore>& models, bool quick)
-{
-  BenchmarkScene scene;
-  scene.Name = name;
-  scene.Width = quick ? 320 : description.Width;
-  scene.Height = quick ? 240 : description.Height;
-  scene.Make = [description, models] { return BuildScene(description, *models).Renderer; };
-  return scene;
-}
-
-//--------------------------------------------------------------------------------------------------
-// A ground, a camera and a light above a place of about 2 x 2 x 1.
-SceneDescription MakeStage()
-{
-  SceneDescription stage;
-  stage.Camera = CameraDescription();
-  stage.Camera->Position = { { 2.5, -4.0, 3.0 } };
-  stage.Camera->ViewUp = { { 0.0, 0.0, 1.0 } };
-  LightDescription light;
-  light.Position = { { 1.5, 1.0, 4.0 } };
-  light.Size = { { 0.4, 0.4 } };
-  light.ConeAngle = 50.0;
-  stage.Lights.push_back(light);
-  PlaneShape ground;
-  ground.Origin = { { -20.0, -20.0, 0.0 } };
-  ground.Point1 = { { 20.0, -20.0, 0.0 } };
-  ground.Point2 = { { -20.0, 20.0, 0.0 } };
-  stage.Objects.emplace_back();
-  stage.Objects.back().Shape = ground;
-  return stage;
-}
-
-//--------------------------------------------------------------------------------------------------
-SceneDescription MakeManyActors(int actors)
-{
-  SceneDescription scene = MakeStage();
-  const int row = static_cast<int>(std::ceil(std::sqrt(actors)));
-  for (int i = 0; i < actors; ++i)
+  if (technique.Has("split") && !technique.Has("samples"))
   {
-    const double x = 2.0 * (i % row + 0.5) / row - 1.0;
-    const double y = 2.0 * (i / row + 0.5) / row - 1.0;
-    const double half = 0.35 / row;
-    const double height = 0.2 + 0.6 * ((i * 7) % 10) / 10.0;
-    scene.Objects.emplace_back();
-    scene.Objects.back().Shape =
-      BoxShape{ { { x - half, x + half, y - half, y + half, 0.1, height } } };
+    add({ { "split", "2" } });
   }
-  return scene;
 }
 
 //--------------------------------------------------------------------------------------------------
-SceneDescription MakeManyTriangles(int triangles)
+void AddMapSizes(const KnownTechnique& technique, Plan& plan)
 {
-  SceneDescription scene = MakeStage();
-  SphereShape sphere;
-  sphere.Center = { { 0.0, 0.0, 0.8 } };
-  sphere.Radius = 0.6;
-  sphere.ThetaResolution = static_cast<int>(std::lround(std::sqrt(triangles)));
-  sphere.PhiResolution = sphere.ThetaResolution / 2 + 2;
-  scene.Objects.emplace_back();
-  scene.Objects.back().Shape = sphere;
-  return scene;
+  const bool isRival =
+    std::find(std::begin(Rivals), std::end(Rivals), technique.Name) != std::end(Rivals);
+  for (const char* size : MapSizes)
+  {
+    TechniqueOptions options{ { "map_size", size } };
+    if (technique.Name == "sampled")
+    {
+      options["samples"] = "16";
+    }
+    if (!isRival)
+    {
+      plan.Add(technique.Name, With(technique, options));
+    }
+  }
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -211,28 +188,35 @@ bool KnownTechnique::Has(const std::string& option) const
 
 //--------------------------------------------------------------------------------------------------
 std::vector<ContestantChoice> PlanContestants(
-  const std::vector<KnownTechnique>& techniques, bool quick)
+  const std::vector<KnownTechnique>& techniques, PlanSize size)
 {
   Plan plan;
   plan.Add("plain", {});
   plan.Add("vtk", { { "map_size", "1024" } });
+  for (const KnownTechnique& technique : techniques)
+  {
+    size == PlanSize::Few ? AddFew(technique, plan) : AddMain(technique, plan);
+  }
   for (const char* samples : Samples)
   {
-    if (!quick || samples == std::string("4") || samples == std::string("64"))
+    if (size != PlanSize::Few || samples == std::string("16"))
     {
       plan.Add("rays", { { "samples", samples } });
     }
   }
   for (const KnownTechnique& technique : techniques)
   {
-    AddTechnique(technique, quick, plan);
+    if (size == PlanSize::All)
+    {
+      AddMapSizes(technique, plan);
+    }
   }
   return plan.Choices;
 }
 
 //--------------------------------------------------------------------------------------------------
 std::vector<BenchmarkScene> PlanScenes(
-  const std::string& folder, const std::vector<std::string>& modelFolders, bool quick)
+  const std::string& folder, const std::vector<std::string>& modelFolders)
 {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -250,7 +234,7 @@ std::vector<BenchmarkScene> PlanScenes(
     const std::string name = file.stem().string();
     try
     {
-      scenes.push_back(MakeScene(name, ReadScene(file.string()), models, quick));
+      scenes.push_back(MakeScene(name, ReadScene(file.string()), models));
     }
     catch (const std::exception& error)
     {
@@ -259,20 +243,44 @@ std::vector<BenchmarkScene> PlanScenes(
       scenes.back().Failure = error.what();
     }
   }
-  const auto addGrowing = [&](const std::string& family, int count, SceneDescription (*make)(int))
+  for (const BenchmarkScene& scene : MakeGrowingScenes())
   {
-    scenes.push_back(MakeScene(family + std::to_string(count), make(count), models, quick));
-    scenes.back().Grows = true;
-  };
-  for (int count = 10; !quick && count <= 1000; count *= 10)
-  {
-    addGrowing("actors-", count, MakeManyActors);
-  }
-  for (int count = 1000; !quick && count <= 1000000; count *= 10)
-  {
-    addGrowing("triangles-", count, MakeManyTriangles);
+    scenes.push_back(scene);
   }
   return scenes;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::vector<BenchmarkScene> PlanQuickScenes(const std::vector<BenchmarkScene>& scenes)
+{
+  const auto isChosen = [](const BenchmarkScene& scene)
+  {
+    return std::find(std::begin(QuickScenes), std::end(QuickScenes), scene.Name) !=
+      std::end(QuickScenes);
+  };
+  const bool isOurs = std::any_of(scenes.begin(), scenes.end(), isChosen);
+  std::vector<BenchmarkScene> few;
+  for (const BenchmarkScene& scene : scenes)
+  {
+    if (isOurs ? isChosen(scene) : !scene.Grows)
+    {
+      few.push_back(scene);
+      few.back().Width = 240;
+      few.back().Height = 180;
+    }
+  }
+  return few;
+}
+
+//--------------------------------------------------------------------------------------------------
+double ShareOfTime(const std::vector<BenchmarkScene>& scenes, size_t next, double secondsLeft)
+{
+  double shares = 0.0;
+  for (size_t i = next; i < scenes.size(); ++i)
+  {
+    shares += scenes[i].Grows ? 1.0 : 3.0;
+  }
+  return shares > 0.0 ? secondsLeft * (scenes[next].Grows ? 1.0 : 3.0) / shares : 0.0;
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -62,16 +62,6 @@ void AppendTimes(const std::string& name, const ContestantResult& contestant,
 }
 
 //--------------------------------------------------------------------------------------------------
-Json ContextToJson(const BenchmarkContext& context)
-{
-  return { { "date", context.Date }, { "host_name", context.Host },
-    { "executable", "softshadow benchmark" }, { "num_cpus", context.Processors },
-    { "cpu_scaling_enabled", false }, { "library_build_type", "release" },
-    { "processor", context.Processor }, { "opengl", context.Renderer },
-    { "vtk", context.VtkVersion }, { "softshadows", context.Version } };
-}
-
-//--------------------------------------------------------------------------------------------------
 Json ContestantToJson(const ContestantResult& contestant)
 {
   Json json = { { "name", contestant.Name }, { "technique", contestant.Technique },
@@ -102,10 +92,20 @@ Json ContestantToJson(const ContestantResult& contestant)
   if (contestant.HasErrors())
   {
     json["rmse"] = contestant.Rmse;
+    if (std::isfinite(contestant.RmseToHard))
+    {
+      json["rmse_to_hard"] = contestant.RmseToHard;
+    }
     for (const VisibilityErrors& errors : contestant.Errors)
     {
       json["lights"].push_back(ToJson(errors));
     }
+  }
+  if (contestant.PictureErrors.Pixels > 0)
+  {
+    // The PSNR of equal pictures is infinite: null.
+    json["picture"] = { { "rmse", contestant.PictureErrors.Rmse },
+      { "psnr", contestant.PictureErrors.Psnr }, { "ssim", contestant.PictureErrors.Ssim } };
   }
   return json;
 }
@@ -185,6 +185,16 @@ void WriteTimes(std::ostream& os, const ContestantResult& contestant)
 }
 
 //--------------------------------------------------------------------------------------------------
+Json ToJson(const BenchmarkContext& context)
+{
+  return { { "date", context.Date }, { "host_name", context.Host },
+    { "executable", "softshadow benchmark" }, { "num_cpus", context.Processors },
+    { "cpu_scaling_enabled", false }, { "library_build_type", "release" },
+    { "processor", context.Processor }, { "opengl", context.Renderer },
+    { "vtk", context.VtkVersion }, { "softshadows", context.Version } };
+}
+
+//--------------------------------------------------------------------------------------------------
 Json ToJson(const BenchmarkResults& results)
 {
   Json list = Json::array();
@@ -206,7 +216,7 @@ Json ToJson(const BenchmarkResults& results)
       }
     }
   }
-  return { { "context", ContextToJson(results.Context) }, { "benchmarks", list },
+  return { { "context", ToJson(results.Context) }, { "benchmarks", list },
     { "soft_shadows", { { "scenes", scenes } } } };
 }
 

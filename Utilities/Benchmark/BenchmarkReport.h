@@ -23,6 +23,9 @@ namespace softshadows
 
 nlohmann::ordered_json ToJson(const BenchmarkResults& results);
 
+/// The part "context" of that.
+nlohmann::ordered_json ToJson(const BenchmarkContext& context);
+
 /**
  * One line per scene, contestant and light (contestants without a visibility have one line). Median
  * and quartiles of the times in milliseconds; fields without a value are empty.

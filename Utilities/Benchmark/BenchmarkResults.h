@@ -12,6 +12,7 @@
 
 #include <array>   // For the motions
 #include <cstdint> // For counts
+#include <limits>  // For what was not measured
 #include <map>     // For options
 #include <string>  // For names
 #include <utility> // For pairs
@@ -71,6 +72,13 @@ struct ContestantResult
   std::vector<VisibilityErrors> Errors;
   /// Over the pixels of all lights together.
   double Rmse = 0.0;
+  /// The same against the ray-traced shadows of the lights' centres; NaN for what draws no hard shadows.
+  double RmseToHard = std::numeric_limits<double>::quiet_NaN();
+  /// The same against the scene's first contestant that has a visibility; NaN if there is none.
+  double RmseToFirst = std::numeric_limits<double>::quiet_NaN();
+  /// Of the luminance of the lit picture, against the picture lit by the ray-traced visibility. Over all
+  /// pixels; none without a picture.
+  ErrorMeasures PictureErrors;
   ///@{
   /// Of the first light; empty if there is none or pictures are not wanted.
   ColorImage Picture;

@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkRunner.h"
 
+#include "GivenVisibilityPass.h"
+#include "SceneChanges.h"
 #include "SceneTrial.h"
+#include "WindowContestant.h"
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCellArray.h>
 #include <vtkMapper.h>
 #include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
-#include <cmath>   // For rounding
-#include <sstream> // For lines
+#include <algorithm> // For choices
+#include <chrono>    // For the scene's time
+#include <cmath>     // For rounding
+#include <sstream>   // For lines
 
 namespace softshadows
 {
@@ -70,6 +76,21 @@ std::string Describe(const SceneResult& scene, const ContestantResult& contestan
   return line.str();
 }
 
+//--------------------------------------------------------------------------------------------------
+// The picture with the exact visibility.
+ColorImage DrawLit(const BenchmarkScene& scene, const VisibilityImage& visibility)
+{
+  if (visibility.Visibility.empty())
+  {
+    return {};
+  }
+  vtkNew<GivenVisibilityPass> pass;
+  pass->SetVisibility(scene.Width, scene.Height, visibility.Visibility);
+  TechniqueContestant window(scene.Make, scene.Width, scene.Height, pass.Get());
+  window.Draw(Motion::Still, 0);
+  return window.GetPicture();
+}
+
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -83,20 +104,79 @@ void BenchmarkRunner::Report(const std::string& line, bool isFinal) const
 
 //--------------------------------------------------------------------------------------------------
 VisibilityImage BenchmarkRunner::GetReference(
-  const BenchmarkScene& scene, SceneResult& result) const
+  vtkRenderer* renderer, const BenchmarkScene& scene, int samplesPerAxis, bool gaussian) const
+{
+  ReferenceCache cache(this->Settings.CacheFolder);
+  return cache.Get(renderer, scene.Width, scene.Height, samplesPerAxis, gaussian,
+    [&](double share)
+    {
+      const std::string percent = std::to_string(std::lround(100.0 * share));
+      this->Report(scene.Name + ": ray tracing the reference, " + percent + " %", false);
+    });
+}
+
+//--------------------------------------------------------------------------------------------------
+SceneTruth BenchmarkRunner::GetTruth(const BenchmarkScene& scene,
+  const std::vector<ContestantChoice>& choices, SceneResult& result) const
 {
   const vtkSmartPointer<vtkRenderer> renderer = scene.Make();
   CountScene(renderer, result);
-  ReferenceCache cache(this->Settings.CacheFolder);
-  VisibilityImage reference =
-    cache.Get(renderer, scene.Width, scene.Height, this->Settings.ReferenceSamplesPerAxis,
-      [&](double share)
-      {
-        const std::string percent = std::to_string(std::lround(100.0 * share));
-        this->Report(scene.Name + ": ray tracing the reference, " + percent + " %", false);
-      });
-  result.Lights = static_cast<int>(reference.Visibility.size());
-  return reference;
+  SceneTruth truth;
+  if (!this->Settings.HasTruth)
+  {
+    return truth;
+  }
+  truth.Soft = this->GetReference(
+    renderer, scene, this->Settings.ReferenceSamplesPerAxis, this->Settings.Gaussian);
+  result.Lights = static_cast<int>(truth.Soft.Visibility.size());
+  if (std::any_of(choices.begin(), choices.end(),
+        [](const ContestantChoice& choice) { return choice.HasHardShadows(); }))
+  {
+    ScaleLights(renderer, 0.0);
+    truth.Hard = this->GetReference(renderer, scene, 1, false);
+  }
+  return truth;
+}
+
+//--------------------------------------------------------------------------------------------------
+void BenchmarkRunner::Prepare(
+  const BenchmarkScene& scene, const std::vector<ContestantChoice>& choices) const
+{
+  std::string failure = scene.Failure;
+  try
+  {
+    if (failure.empty())
+    {
+      SceneResult result;
+      this->GetTruth(scene, choices, result);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    failure = error.what();
+  }
+  this->Report(scene.Name + ": " + (failure.empty() ? "reference is there" : failure), true);
+}
+
+//--------------------------------------------------------------------------------------------------
+void BenchmarkRunner::TimeRounds(
+  SceneTrial& trial, const std::string& name, double secondsUsed) const
+{
+  const auto start = std::chrono::steady_clock::now();
+  const double limit = this->Settings.SecondsPerScene;
+  for (int round = 0; round < this->Settings.Rounds; ++round)
+  {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const double share = limit > 0.0 ? (secondsUsed + seconds.count()) / limit : 0.0;
+    if (share > (round < BenchmarkSettings::LeastRounds ? 1.5 : 1.0) && round > 0)
+    {
+      return;
+    }
+    this->Report(name + ": timing, round " + std::to_string(round + 1) + " of " +
+        std::to_string(this->Settings.Rounds),
+      false);
+    trial.TimeRound();
+  }
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -110,12 +190,13 @@ SceneResult BenchmarkRunner::Run(
   result.Height = scene.Height;
   result.ReferenceSamples =
     this->Settings.ReferenceSamplesPerAxis * this->Settings.ReferenceSamplesPerAxis;
-  VisibilityImage reference;
+  SceneTruth truth;
   try
   {
     if (result.Failure.empty())
     {
-      reference = this->GetReference(scene, result);
+      truth = this->GetTruth(scene, choices, result);
+      truth.Picture = DrawLit(scene, truth.Soft);
     }
   }
   catch (const std::exception& error)
@@ -128,22 +209,25 @@ SceneResult BenchmarkRunner::Run(
     return result;
   }
 
-  SceneTrial trial(this->Settings, scene, reference, this->MakeTechnique);
+  const auto start = std::chrono::steady_clock::now();
+  const auto secondsUsed = [start]
+  { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const double limit = BenchmarkSettings::JudgingShare * this->Settings.SecondsPerScene;
+  SceneTrial trial(this->Settings, scene, truth, this->MakeTechnique);
   result.Reference = this->Settings.Pictures ? trial.DrawReference() : ColorImage();
   for (size_t i = 0; i < choices.size(); ++i)
   {
     this->Report(scene.Name + ": judging " + choices[i].GetName() + " (" + std::to_string(i + 1) +
         " of " + std::to_string(choices.size()) + ")",
       false);
+    if (limit > 0.0 && secondsUsed() > limit)
+    {
+      trial.LeaveOut(choices[i], "left out: the scene's time was used up");
+      continue;
+    }
     trial.Add(choices[i]);
   }
-  for (int round = 0; round < this->Settings.Rounds; ++round)
-  {
-    this->Report(scene.Name + ": timing, round " + std::to_string(round + 1) + " of " +
-        std::to_string(this->Settings.Rounds),
-      false);
-    trial.TimeRound();
-  }
+  this->TimeRounds(trial, scene.Name, secondsUsed());
   result.Contestants = trial.Finish();
   for (const ContestantResult& contestant : result.Contestants)
   {

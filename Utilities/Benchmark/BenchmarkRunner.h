@@ -14,6 +14,7 @@
 
 #include "Contestant.h"
 #include "ReferenceCache.h"
+#include "VisibilityFile.h"
 
 #include <functional> // For the progress callback
 #include <string>     // For names
@@ -27,9 +28,23 @@ struct BenchmarkSettings
   int Rounds = 9;
   /// Time that one contestant may use for one scene, in seconds; one frame per motion is always run.
   double SecondsPerContestant = 20.0;
+  /**
+   * Time for a scene without its reference, in seconds; 0: as long as it takes. Contestants whose turn
+   * comes after JudgingShare of it are left out; rounds after the third end with it, all rounds with
+   * one and a half of it. A frame may take a fifteenth of it.
+   */
+  double SecondsPerScene = 0.0;
+  static constexpr double JudgingShare = 0.45;
+  static constexpr int LeastRounds = 3;
   /// Seconds; of contestants that take longer a single frame is timed, and those of which that can be
   /// foreseen are left out.
   double LongestFrame = 60.0;
+  /// What is timed. The first frame with moving lights after warming up is drawn in any case.
+  std::vector<Motion> Motions = { AllMotions.begin(), AllMotions.end() };
+  /// Without a truth nothing is judged, and no reference is traced.
+  bool HasTruth = true;
+  /// The truth's lights are weighted by N(0, 0.5) over their windows.
+  bool Gaussian = false;
   int ReferenceSamplesPerAxis = 48;
   /// Where references are kept; empty: nowhere.
   std::string CacheFolder;
@@ -50,6 +65,18 @@ struct BenchmarkScene
   std::string Failure;
 };
 
+/// What contestants are judged by. Images are empty where there is nothing to judge.
+struct SceneTruth
+{
+  VisibilityImage Soft;
+  /// Of the lights' centres alone.
+  VisibilityImage Hard;
+  /// Lit by Soft.
+  ColorImage Picture;
+};
+
+class SceneTrial;
+
 class BenchmarkRunner
 {
 public:
@@ -67,13 +94,26 @@ public:
   /// Never throws: what is broken is reported in the result.
   SceneResult Run(const BenchmarkScene& scene, const std::vector<ContestantChoice>& choices) const;
 
+  /// Only traces the references that Run will read, into the cache. Never throws.
+  void Prepare(const BenchmarkScene& scene, const std::vector<ContestantChoice>& choices) const;
+
+  ///@{
+  /// May change from scene to scene.
+  const BenchmarkSettings& GetSettings() const { return this->Settings; }
+  void SetSettings(BenchmarkSettings settings) { this->Settings = std::move(settings); }
+  ///@}
+
 private:
   BenchmarkSettings Settings;
   TechniqueFactory MakeTechnique;
   ProgressFunction Progress;
 
   void Report(const std::string& line, bool isFinal) const;
-  VisibilityImage GetReference(const BenchmarkScene& scene, SceneResult& result) const;
+  SceneTruth GetTruth(const BenchmarkScene& scene, const std::vector<ContestantChoice>& choices,
+    SceneResult& result) const;
+  VisibilityImage GetReference(
+    vtkRenderer* renderer, const BenchmarkScene& scene, int samplesPerAxis, bool gaussian) const;
+  void TimeRounds(SceneTrial& trial, const std::string& name, double secondsUsed) const;
 };
 
 }

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contestant.h"
 
+#include "HardShadowContestant.h"
 #include "ReferenceTracer.h"
-#include "WindowContestant.h"
+#include "SceneChanges.h"
+#include "SupersampledContestant.h"
 
 #include "vtkSoftShadowPass.h"
 
@@ -76,9 +78,30 @@ std::string ContestantChoice::GetName() const
 }
 
 //--------------------------------------------------------------------------------------------------
+bool ContestantChoice::HasHardShadows() const
+{
+  const auto samples = this->Options.find("samples");
+  const bool isOneSample = samples != this->Options.end() && samples->second == "1";
+  return this->Technique == "vtk" || (this->Technique == "sampled" && isOneSample);
+}
+
+//--------------------------------------------------------------------------------------------------
 std::unique_ptr<Contestant> MakeContestant(const ContestantChoice& choice,
   const SceneFactory& makeScene, int width, int height, const TechniqueFactory& makeTechnique)
 {
+  if (choice.Options.count("light_scale") == 1)
+  {
+    ContestantChoice rest = choice;
+    rest.Options.erase("light_scale");
+    const double scale = std::stod(choice.Options.at("light_scale"));
+    const SceneFactory makeScaled = [makeScene, scale]
+    {
+      const vtkSmartPointer<vtkRenderer> renderer = makeScene();
+      ScaleLights(renderer, scale);
+      return renderer;
+    };
+    return MakeContestant(rest, makeScaled, width, height, makeTechnique);
+  }
   if (choice.Technique == "plain")
   {
     return std::make_unique<WindowContestant>(makeScene, width, height);
@@ -93,8 +116,14 @@ std::unique_ptr<Contestant> MakeContestant(const ContestantChoice& choice,
     return std::make_unique<RayContestant>(
       makeScene, width, height, GetNumber(choice, "samples", 16));
   }
+  TechniqueOptions options = choice.Options;
+  if (options.erase("supersample") == 1)
+  {
+    return std::make_unique<SupersampledContestant>(makeScene, width, height,
+      GetNumber(choice, "supersample", 1), makeTechnique(choice.Technique, options));
+  }
   return std::make_unique<TechniqueContestant>(
-    makeScene, width, height, makeTechnique(choice.Technique, choice.Options));
+    makeScene, width, height, makeTechnique(choice.Technique, options));
 }
 
 }

@@ -43,6 +43,9 @@ struct ContestantChoice
 
   /// "pcss filter_width=21 search_width=11"
   std::string GetName() const;
+
+  /// Of one point per light: vtk, and sampled with one sample.
+  bool HasHardShadows() const;
 };
 
 class Contestant
@@ -68,7 +71,9 @@ public:
 
 /**
  * plain (VTK's own frame, no shadows), vtk (vtkShadowMapPass, hard shadows), rays (ray tracing,
- * option samples), and whatever the factory knows.
+ * option samples), and whatever the factory knows, which may have the option supersample: that many
+ * samples along each edge of a pixel. All may have light_scale: a factor on the size of the lights,
+ * which the truth does not know of.
  */
 std::unique_ptr<Contestant> MakeContestant(const ContestantChoice& choice,
   const SceneFactory& makeScene, int width, int height, const TechniqueFactory& makeTechnique);

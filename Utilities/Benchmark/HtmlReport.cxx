@@ -303,6 +303,7 @@ void WriteHtml(std::ostream& os, const BenchmarkResults& results)
         "<title>Soft shadows: speed against error</title>\n<style>"
      << Style << "</style>\n</head>\n<body>\n<h1>Soft shadows: speed against error</h1>\n";
   WriteContext(os, results.Context);
+  WriteChart(os, SpeedAgainstErrorOfAll(results));
   for (const SceneResult& scene : results.Scenes)
   {
     WriteScene(os, scene);

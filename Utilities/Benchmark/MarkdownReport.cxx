@@ -6,6 +6,7 @@
 #include "HtmlReport.h"
 
 #include <algorithm> // For the front
+#include <cmath>     // For what was not measured
 #include <ostream>   // For the text
 
 namespace softshadows
@@ -22,22 +23,24 @@ void WriteRow(std::ostream& os, const ContestantResult& contestant, bool isOnFro
   os << "| " << bold << contestant.Name << bold << " |";
   if (!contestant.Failure.empty())
   {
-    os << ' ' << contestant.Failure << " | | | | | | | |\n";
+    os << ' ' << contestant.Failure << " | | | | | | | | |\n";
     return;
   }
   for (Motion motion : { Motion::Light, Motion::Camera, Motion::Still })
   {
     os << ' ' << FormatNumber(contestant.Times[static_cast<size_t>(motion)].Median()) << " |";
   }
+  const double picture =
+    contestant.PictureErrors.Pixels > 0 ? contestant.PictureErrors.Rmse : std::nan("");
   if (!contestant.HasErrors())
   {
-    os << " - | - | - | - | - |\n";
+    os << " - | - | - | " << FormatNumber(picture) << " | - | - |\n";
     return;
   }
   const VisibilityErrors& first = contestant.Errors.front();
   os << ' ' << FormatNumber(contestant.Rmse) << " | " << FormatNumber(first.Penumbra.Rmse) << " | "
-     << FormatNumber(first.All.Ssim) << " | " << first.LightLeaks << " | " << first.FalseShadows
-     << " |\n";
+     << FormatNumber(first.All.Ssim) << " | " << FormatNumber(picture) << " | " << first.LightLeaks
+     << " | " << first.FalseShadows << " |\n";
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -48,6 +51,25 @@ void WriteChart(std::ostream& os, const ChartDescription& chart, const std::stri
   {
     pictures[name] = DrawChart(chart);
     os << "![" << chart.Title << "](" << folder << '/' << name << ")\n\n";
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+// Hard shadows against the hard truth: how right they are as what they are.
+void WriteHardErrors(std::ostream& os, const SceneResult& scene)
+{
+  std::string text;
+  for (const ContestantResult& contestant : scene.Contestants)
+  {
+    if (std::isfinite(contestant.RmseToHard))
+    {
+      text +=
+        (text.empty() ? "" : ", ") + contestant.Name + ' ' + FormatNumber(contestant.RmseToHard);
+    }
+  }
+  if (!text.empty())
+  {
+    os << "\nRMSE against ray-traced *hard* shadows: " << text << ".\n";
   }
 }
 
@@ -64,14 +86,34 @@ void WriteScene(
   os << scene.Width << " x " << scene.Height << " pixels, " << scene.Actors << " actors, "
      << scene.Triangles << " triangles, " << scene.Lights << " lights.\n\n";
   WriteChart(os, SpeedAgainstError(scene), "speed-" + scene.Name + ".png", folder, pictures);
-  os << "| contestant | light | camera | still | RMSE | in penumbra | SSIM | leaks | false "
-        "shadows |\n| :--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+  os << "| contestant | light | camera | still | RMSE | in penumbra | SSIM | picture | leaks | "
+        "false "
+        "shadows |\n| :--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
   const std::vector<const ContestantResult*> front = ParetoFront(scene);
   for (const ContestantResult& contestant : scene.Contestants)
   {
     WriteRow(os, contestant, std::find(front.begin(), front.end(), &contestant) != front.end());
   }
+  WriteHardErrors(os, scene);
   os << '\n';
+}
+
+//--------------------------------------------------------------------------------------------------
+// Of the scene in which most settings were varied.
+void WriteSweeps(
+  std::ostream& os, const BenchmarkResults& results, const std::string& folder, Pictures& pictures)
+{
+  const auto most = std::max_element(results.Scenes.begin(), results.Scenes.end(),
+    [](const SceneResult& a, const SceneResult& b)
+    { return a.Contestants.size() < b.Contestants.size(); });
+  os << "## Time against settings and sizes\n\n";
+  for (const std::string option : { "filter_width", "map_size", "samples" })
+  {
+    if (most != results.Scenes.end())
+    {
+      WriteChart(os, TimeAgainstOption(*most, option), "time-" + option + ".png", folder, pictures);
+    }
+  }
 }
 
 }
@@ -88,12 +130,16 @@ Pictures WriteMarkdown(
     << ", " << context.Date.substr(0, 10)
     << ".\n\nTimes are medians of frames in milliseconds: with all lights moving (every map is "
        "baked anew), with the camera moving, with nothing moving. RMSE is over the visibilities of "
-       "all lights against ray tracing, silhouettes of the view left out; the other errors are of "
-       "the first light. Bold: no other contestant is both faster (lights moving) and closer.\n\n";
+       "all lights against ray tracing, silhouettes of the view left out; picture is the RMSE of "
+       "the "
+       "lit picture's luminance; the other errors are of the first light. Bold: no other "
+       "contestant is both faster (lights moving) and closer.\n\n";
+  WriteChart(os, SpeedAgainstErrorOfAll(results), "speed-against-error.png", imageFolder, pictures);
   for (const SceneResult& scene : results.Scenes)
   {
     WriteScene(os, scene, imageFolder, pictures);
   }
+  WriteSweeps(os, results, imageFolder, pictures);
   for (const std::string family : { "actors", "triangles" })
   {
     WriteChart(os, TimeAgainstSize(results, family), family + ".png", imageFolder, pictures);

@@ -17,9 +17,9 @@ namespace softshadows
 {
 
 /**
- * The machine, and per scene a table of times (lights moving, camera moving, still) and errors with
+ * The machine, the plot of all scenes (speed-against-error.png), and per scene a table of times (lights moving, camera moving, still) and errors with
  * the Pareto front in bold, and the plot of speed against error as imageFolder/speed-<scene>.png.
- * The plots against sizes follow. Returns the plots by file name.
+ * The plots against settings (of the scene with most contestants) and sizes follow. Returns the plots by file name.
  */
 std::map<std::string, ColorImage> WriteMarkdown(
   std::ostream& os, const BenchmarkResults& results, const std::string& imageFolder);

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PaperTables.h"
+#include "PaperRun.h"
 
-#include "vtkAreaLight.h"
+#include "HtmlReport.h"
+#include "SceneChanges.h"
 
-#include <vtkLightCollection.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm> // For the scene by name
 #include <cmath>     // For NaN
-#include <iomanip>   // For columns
+#include <iomanip>   // For differences
 #include <limits>    // For NaN
 #include <ostream>   // For the table
 #include <sstream>   // For cells
@@ -20,37 +21,22 @@ namespace softshadows
 namespace
 {
 
-//--------------------------------------------------------------------------------------------------
-void ScaleLights(vtkRenderer* renderer, double scale)
-{
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator iterator;
-  lights->InitTraversal(iterator);
-  while (vtkLight* light = lights->GetNextLight(iterator))
-  {
-    if (auto* area = vtkAreaLight::SafeDownCast(light))
-    {
-      area->SetSize(scale * area->GetSize()[0], scale * area->GetSize()[1]);
-      area->SetAngularDiameter(scale * area->GetAngularDiameter());
-    }
-  }
-}
+constexpr double None = std::numeric_limits<double>::quiet_NaN();
 
 //--------------------------------------------------------------------------------------------------
-// The row's scene at the table's size.
-BenchmarkScene FindScene(
-  const PaperTable& table, const PaperRow& row, const std::vector<BenchmarkScene>& scenes)
+// The table's scene at the table's size.
+BenchmarkScene FindScene(const PaperTable& table, const std::vector<BenchmarkScene>& scenes)
 {
   BenchmarkScene scene;
-  scene.Name = row.Scene;
-  scene.Failure = "there is no scene " + row.Scene;
+  scene.Name = table.Scene;
+  scene.Failure = "there is no scene " + table.Scene;
   const auto found = std::find_if(scenes.begin(), scenes.end(),
-    [&row](const BenchmarkScene& candidate) { return candidate.Name == row.Scene; });
+    [&table](const BenchmarkScene& candidate) { return candidate.Name == table.Scene; });
   if (found != scenes.end())
   {
     scene = *found;
     const SceneFactory make = found->Make;
-    const double scale = row.LightScale;
+    const double scale = table.LightScale;
     scene.Make = [make, scale]
     {
       vtkSmartPointer<vtkRenderer> renderer = make();
@@ -64,87 +50,254 @@ BenchmarkScene FindScene(
 }
 
 //--------------------------------------------------------------------------------------------------
-double Measure(PaperFigure figure, const ContestantResult& result)
+BenchmarkRunner MakeRunner(const PaperTable& table, const BenchmarkRunner& runner)
 {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  switch (figure)
+  BenchmarkSettings settings = runner.GetSettings();
+  settings.Motions = { Motion::Light };
+  settings.HasTruth = table.HasTruth;
+  settings.Gaussian = table.Gaussian;
+  settings.Pictures = false;
+  BenchmarkRunner own = runner;
+  own.SetSettings(settings);
+  return own;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::vector<ContestantChoice> GetChoices(const PaperTable& table)
+{
+  std::vector<ContestantChoice> choices;
+  for (const PaperRow& row : table.Rows)
   {
-    case PaperFigure::FramesPerSecond:
-      return 1000.0 / result.Times[static_cast<size_t>(Motion::Light)].Median();
-    case PaperFigure::Psnr:
-      return result.HasErrors() ? result.Errors.front().All.Psnr : none;
-    default:
-      return result.HasErrors() ? 100.0 * result.Errors.front().All.Ssim : none;
+    choices.push_back(row.Choice);
   }
+  return choices;
+}
+
+//--------------------------------------------------------------------------------------------------
+double SumSteps(const PaperColumn& column, const ContestantResult& contestant)
+{
+  double sum = 0.0;
+  bool hasAny = false;
+  for (const auto& step : contestant.Steps)
+  {
+    if (std::find(column.Steps.begin(), column.Steps.end(), step.first) != column.Steps.end())
+    {
+      sum += step.second;
+      hasAny = true;
+    }
+  }
+  return hasAny ? sum : None;
+}
+
+//--------------------------------------------------------------------------------------------------
+double GetMegabytes(const ContestantResult& contestant)
+{
+  for (const auto& count : contestant.Counts)
+  {
+    if (count.first == "bytes_held")
+    {
+      return static_cast<double>(count.second) / (1024.0 * 1024.0);
+    }
+  }
+  return None;
+}
+
+//--------------------------------------------------------------------------------------------------
+double PublishedIn(const PaperColumn& column, size_t row)
+{
+  return row < column.Published.size() ? column.Published[row] : None;
 }
 
 //--------------------------------------------------------------------------------------------------
 // "1.52" for ratios, "+1.52" for differences, "-" if one is missing.
 std::string Relate(PaperFigure figure, double value, double base)
 {
-  const bool isRatio = figure == PaperFigure::FramesPerSecond;
-  const double relation = isRatio ? value / base : value - base;
-  if (!std::isfinite(relation) || (isRatio && relation == 0.0))
+  const bool isDifference = IsComparedByDifference(figure);
+  const double relation = isDifference ? value - base : value / base;
+  if (!std::isfinite(relation))
   {
     return "-";
   }
   std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << (isRatio ? std::noshowpos : std::showpos)
+  text << std::fixed << std::setprecision(2) << (isDifference ? std::showpos : std::noshowpos)
        << relation;
   return text.str();
 }
 
 //--------------------------------------------------------------------------------------------------
-std::string ShowFigure(double value)
+void WriteHeads(std::ostream& os, const PaperTable& table)
 {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << value;
-  return std::isfinite(value) && value > 0.0 ? text.str() : "-";
+  os << "| |";
+  std::string rule = "| :--- |";
+  for (const PaperColumn& column : table.Columns)
+  {
+    if (column.Published.empty())
+    {
+      os << ' ' << column.Title << " |";
+      rule += " ---: |";
+      continue;
+    }
+    const std::string relation = IsComparedByDifference(column.Figure) ? "difference" : "ratio";
+    os << ' ' << column.Title << ": published | measured | " << relation << " published | "
+       << relation << " measured |";
+    rule += " ---: | ---: | ---: | ---: |";
+  }
+  os << '\n' << rule << '\n';
+}
+
+//--------------------------------------------------------------------------------------------------
+void WriteRow(std::ostream& os, const PaperResult& result, size_t row)
+{
+  const PaperTable& table = result.Table;
+  const ContestantResult& contestant = result.Scene.Contestants[row];
+  const ContestantResult& base = result.Scene.Contestants[table.Base];
+  os << "| " << table.Rows[row].Label;
+  if (!contestant.Failure.empty())
+  {
+    os << " (" << contestant.Failure << ')';
+  }
+  os << " |";
+  for (const PaperColumn& column : table.Columns)
+  {
+    const double measured = MeasureFigure(column, contestant);
+    if (!column.Published.empty())
+    {
+      const double published = PublishedIn(column, row);
+      os << ' ' << FormatNumber(published) << " | " << FormatNumber(measured) << " | "
+         << Relate(column.Figure, published, PublishedIn(column, table.Base)) << " | "
+         << Relate(column.Figure, measured, MeasureFigure(column, base)) << " |";
+    }
+    else
+    {
+      os << ' ' << FormatNumber(measured) << " |";
+    }
+  }
+  os << '\n';
 }
 
 }
 
 //--------------------------------------------------------------------------------------------------
-void RunPaperTable(std::ostream& os, const PaperTable& table,
-  const std::vector<BenchmarkScene>& scenes, const BenchmarkRunner& runner)
+double WorkOf(const PaperTable& table)
 {
-  // All rows of a table are of one scene and one light, so that their frames are interleaved.
-  std::vector<ContestantChoice> choices;
+  double pixels = 0.0;
   for (const PaperRow& row : table.Rows)
   {
-    choices.push_back(row.Choice);
+    const auto factor = row.Choice.Options.find("supersample");
+    const double edge = factor == row.Choice.Options.end() ? 1.0 : std::stod(factor->second);
+    pixels += edge * edge * table.Width * table.Height;
   }
-  const SceneResult result = runner.Run(FindScene(table, table.Rows.front(), scenes), choices);
-  const bool isRatio = table.Figure == PaperFigure::FramesPerSecond;
-  os << table.Title << "\n(" << table.Width << " x " << table.Height << ", scene "
-     << table.Rows.front().Scene << "; " << (isRatio ? "ratio" : "difference")
-     << " to the first row)\n"
-     << std::left << std::setw(36) << "" << std::right << std::setw(12) << "published"
-     << std::setw(12) << "measured" << std::setw(12) << "published" << std::setw(12) << "measured"
-     << '\n';
-  if (!result.Failure.empty())
+  // Maps cost whatever the size of the picture is.
+  return pixels + 2e5 * static_cast<double>(table.Rows.size());
+}
+
+//--------------------------------------------------------------------------------------------------
+double MeasureFigure(const PaperColumn& column, const ContestantResult& contestant)
+{
+  const double frame = contestant.Times[static_cast<size_t>(Motion::Light)].Median();
+  const bool hasPicture = contestant.PictureErrors.Pixels > 0;
+  const ErrorMeasures* first = contestant.HasErrors() ? &contestant.Errors.front().All : nullptr;
+  switch (column.Figure)
   {
-    os << "  " << result.Failure << "\n\n";
+    case PaperFigure::FramesPerSecond:
+      return 1000.0 / frame;
+    case PaperFigure::Milliseconds:
+      return frame;
+    case PaperFigure::Step:
+      return SumSteps(column, contestant);
+    case PaperFigure::Rmse:
+      return first ? first->Rmse : None;
+    case PaperFigure::RmseToFirst:
+      return contestant.RmseToFirst;
+    case PaperFigure::Psnr:
+      return first ? first->Psnr : None;
+    case PaperFigure::SsimPercent:
+      return first ? 100.0 * first->Ssim : None;
+    case PaperFigure::PictureRmse:
+      return hasPicture ? contestant.PictureErrors.Rmse : None;
+    case PaperFigure::PicturePsnr:
+      return hasPicture ? contestant.PictureErrors.Psnr : None;
+    case PaperFigure::PictureSsimPercent:
+      return hasPicture ? 100.0 * contestant.PictureErrors.Ssim : None;
+    case PaperFigure::Megabytes:
+      return GetMegabytes(contestant);
+  }
+  return None;
+}
+
+//--------------------------------------------------------------------------------------------------
+PaperResult RunPaperTable(
+  const PaperTable& table, const std::vector<BenchmarkScene>& scenes, const BenchmarkRunner& runner)
+{
+  return { table, MakeRunner(table, runner).Run(FindScene(table, scenes), GetChoices(table)) };
+}
+
+//--------------------------------------------------------------------------------------------------
+void PreparePaperTable(
+  const PaperTable& table, const std::vector<BenchmarkScene>& scenes, const BenchmarkRunner& runner)
+{
+  if (table.HasTruth)
+  {
+    MakeRunner(table, runner).Prepare(FindScene(table, scenes), GetChoices(table));
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void WritePaperMarkdown(std::ostream& os, const PaperResult& result)
+{
+  const PaperTable& table = result.Table;
+  os << "### " << table.Title << "\n\n"
+     << table.Width << " x " << table.Height << " pixels, scene " << table.Scene << ".";
+  if (table.Rows.size() > 1)
+  {
+    os << " Ratios and differences are to \"" << table.Rows[table.Base].Label << "\".";
+  }
+  os << (table.Remark.empty() ? "" : " ") << table.Remark << "\n\n";
+  if (!result.Scene.Failure.empty())
+  {
+    os << "Not measured: " << result.Scene.Failure << "\n\n";
     return;
   }
-  const double base = Measure(table.Figure, result.Contestants.front());
-  for (size_t i = 0; i < table.Rows.size(); ++i)
+  WriteHeads(os, table);
+  for (size_t row = 0; row < table.Rows.size(); ++row)
   {
-    const PaperRow& row = table.Rows[i];
-    const ContestantResult& contestant = result.Contestants[i];
-    os << "  " << std::left << std::setw(34) << row.Label << std::right << std::setw(12)
-       << ShowFigure(row.Published);
+    WriteRow(os, result, row);
+  }
+  os << '\n';
+}
+
+//--------------------------------------------------------------------------------------------------
+nlohmann::ordered_json ToJson(const PaperResult& result)
+{
+  const PaperTable& table = result.Table;
+  nlohmann::ordered_json json = { { "title", table.Title }, { "scene", table.Scene },
+    { "width", table.Width }, { "height", table.Height },
+    { "rows", nlohmann::ordered_json::array() } };
+  if (!result.Scene.Failure.empty())
+  {
+    json["failure"] = result.Scene.Failure;
+    return json;
+  }
+  for (size_t row = 0; row < table.Rows.size(); ++row)
+  {
+    const ContestantResult& contestant = result.Scene.Contestants[row];
+    nlohmann::ordered_json entry = { { "label", table.Rows[row].Label },
+      { "contestant", contestant.Name },
+      { "frames", contestant.Times[static_cast<size_t>(Motion::Light)].Milliseconds.size() } };
     if (!contestant.Failure.empty())
     {
-      os << "  " << contestant.Failure << '\n';
-      continue;
+      entry["failure"] = contestant.Failure;
     }
-    const double measured = Measure(table.Figure, contestant);
-    os << std::setw(12) << ShowFigure(measured) << std::setw(12)
-       << Relate(table.Figure, row.Published, table.Rows.front().Published) << std::setw(12)
-       << Relate(table.Figure, measured, base) << '\n';
+    for (const PaperColumn& column : table.Columns)
+    {
+      // Numbers that are not finite become null.
+      entry["figures"].push_back(
+        { { "column", column.Title }, { "published", PublishedIn(column, row) },
+          { "measured", MeasureFigure(column, contestant) } });
+    }
+    json["rows"].push_back(entry);
   }
-  os << '\n' << std::flush;
+  return json;
 }
 
 }

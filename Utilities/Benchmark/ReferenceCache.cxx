@@ -37,7 +37,7 @@ bool Read(const std::string& path, int width, int height, VisibilityImage& image
 
 //--------------------------------------------------------------------------------------------------
 VisibilityImage ReferenceCache::Get(vtkRenderer* renderer, int width, int height,
-  int samplesPerAxis, const std::function<void(double)>& progress)
+  int samplesPerAxis, bool gaussian, const std::function<void(double)>& progress)
 {
   VisibilityImage image;
   std::string path;
@@ -45,7 +45,7 @@ VisibilityImage ReferenceCache::Get(vtkRenderer* renderer, int width, int height
   {
     path = (std::filesystem::path(this->Folder) /
       (HashScene(renderer) + "-" + std::to_string(width) + "x" + std::to_string(height) + "-" +
-        std::to_string(samplesPerAxis) + ".exr"))
+        std::to_string(samplesPerAxis) + (gaussian ? "-gaussian" : "") + ".exr"))
              .string();
     if (Read(path, width, height, image))
     {
@@ -53,6 +53,7 @@ VisibilityImage ReferenceCache::Get(vtkRenderer* renderer, int width, int height
     }
   }
   ReferenceTracer tracer(width, height, samplesPerAxis);
+  tracer.SetGaussian(gaussian);
   tracer.SetProgress(progress);
   ReferenceVisibility traced = tracer.Trace(renderer);
   image = { width, height, std::move(traced.Visibility), std::move(traced.Depth) };

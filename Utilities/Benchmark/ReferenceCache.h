@@ -28,11 +28,12 @@ public:
   }
 
   /**
-   * The exact visibility with samplesPerAxis^2 rays per light and pixel, from a file if the same
+   * The exact visibility with samplesPerAxis^2 rays per light and pixel, of lights that are uniform or
+   * weighted by N(0, 0.5) over their windows, from a file if the same
    * scene was traced before. A damaged file is traced anew and replaced.
    */
   VisibilityImage Get(vtkRenderer* renderer, int width, int height, int samplesPerAxis,
-    const std::function<void(double)>& progress);
+    bool gaussian, const std::function<void(double)>& progress);
 
 private:
   std::string Folder;

@@ -56,42 +56,74 @@ double TotalRmse(const std::vector<VisibilityErrors>& lights)
 }
 
 //--------------------------------------------------------------------------------------------------
-double GetSamples(const TechniqueOptions& options)
+double GetNumber(const TechniqueOptions& options, const std::string& name)
 {
-  const auto found = options.find("samples");
-  return found == options.end() ? 0.0 : std::strtod(found->second.c_str(), nullptr);
+  const auto found = options.find(name);
+  return found == options.end() ? 1.0 : std::strtod(found->second.c_str(), nullptr);
 }
 
 //--------------------------------------------------------------------------------------------------
-// The same options but for the number of samples.
+// How many maps or rays there are, beside those of one with other numbers and else the same options.
+double GetSamples(const TechniqueOptions& options)
+{
+  const double split = GetNumber(options, "split");
+  return GetNumber(options, "samples") * split * split;
+}
+
+//--------------------------------------------------------------------------------------------------
+// The same options but for the number of samples and of the light's parts.
 bool AreOfOneKind(const ContestantChoice& choice, const ContestantResult& result)
 {
   TechniqueOptions first = choice.Options;
   TechniqueOptions second = result.Options;
-  return choice.Technique == result.Technique && first.erase("samples") == 1 &&
-    second.erase("samples") == 1 && first == second;
+  first.erase("split");
+  second.erase("split");
+  return choice.Technique == result.Technique &&
+    first.erase("samples") == second.erase("samples") && first == second;
+}
+
+//--------------------------------------------------------------------------------------------------
+// Rec. 709, in [0, 1].
+std::vector<float> Luminance(const ColorImage& image)
+{
+  std::vector<float> values;
+  for (size_t i = 0; i + 2 < image.Pixels.size(); i += 3)
+  {
+    const double sum =
+      0.2126 * image.Pixels[i] + 0.7152 * image.Pixels[i + 1] + 0.0722 * image.Pixels[i + 2];
+    values.push_back(static_cast<float>(sum / 255.0));
+  }
+  return values;
 }
 
 }
 
 //--------------------------------------------------------------------------------------------------
 SceneTrial::SceneTrial(const BenchmarkSettings& settings, const BenchmarkScene& scene,
-  const VisibilityImage& reference, const TechniqueFactory& makeTechnique)
+  const SceneTruth& truth, const TechniqueFactory& makeTechnique)
   : Settings(settings)
   , Scene(scene)
-  , Reference(reference)
+  , Truth(truth)
   , MakeTechnique(makeTechnique)
-  , Silhouettes(FindSilhouettes(reference.Width, reference.Height, reference.Depth))
+  , Silhouettes(truth.Soft.Depth.empty()
+        ? std::vector<unsigned char>()
+        : FindSilhouettes(truth.Soft.Width, truth.Soft.Height, truth.Soft.Depth))
 {
 }
 
 //--------------------------------------------------------------------------------------------------
 ColorImage SceneTrial::DrawReference() const
 {
-  return this->Reference.Visibility.empty()
-    ? ColorImage()
-    : DrawVisibility(
-        this->Reference.Width, this->Reference.Height, this->Reference.Visibility.front());
+  const VisibilityImage& soft = this->Truth.Soft;
+  return soft.Visibility.empty() ? ColorImage()
+                                 : DrawVisibility(soft.Width, soft.Height, soft.Visibility.front());
+}
+
+//--------------------------------------------------------------------------------------------------
+double SceneTrial::LongestFrame() const
+{
+  const double share = this->Settings.SecondsPerScene / 15.0;
+  return share > 0.0 ? std::min(share, this->Settings.LongestFrame) : this->Settings.LongestFrame;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -112,22 +144,30 @@ double SceneTrial::Foresee(const ContestantChoice& choice) const
 }
 
 //--------------------------------------------------------------------------------------------------
-void SceneTrial::Add(const ContestantChoice& choice)
+void SceneTrial::LeaveOut(const ContestantChoice& choice, const std::string& reason)
 {
   this->Entries.emplace_back();
-  Entry& entry = this->Entries.back();
-  entry.Result.Name = choice.GetName();
-  entry.Result.Technique = choice.Technique;
-  entry.Result.Options = choice.Options;
+  ContestantResult& result = this->Entries.back().Result;
+  result.Name = choice.GetName();
+  result.Technique = choice.Technique;
+  result.Options = choice.Options;
+  result.Failure = reason;
+}
+
+//--------------------------------------------------------------------------------------------------
+void SceneTrial::Add(const ContestantChoice& choice)
+{
   const double seconds = this->Foresee(choice);
-  if (seconds > this->Settings.LongestFrame)
+  if (seconds > this->LongestFrame())
   {
     std::ostringstream text;
     text.precision(2);
     text << "left out: a frame would take about " << seconds << " s";
-    entry.Result.Failure = text.str();
+    this->LeaveOut(choice, text.str());
     return;
   }
+  this->LeaveOut(choice, "");
+  Entry& entry = this->Entries.back();
   try
   {
     this->Prepare(choice, entry);
@@ -145,10 +185,10 @@ void SceneTrial::Prepare(const ContestantChoice& choice, Entry& entry)
   entry.Runner = MakeContestant(
     choice, this->Scene.Make, this->Scene.Width, this->Scene.Height, this->MakeTechnique);
   entry.Runner->Draw(Motion::Still, this->Frame++);
-  this->Judge(entry);
+  this->Judge(choice, entry);
   const double first = this->Time(entry, Motion::Light);
   entry.SecondsPerFrame = 1e-3 * first;
-  entry.IsSlow = entry.SecondsPerFrame > this->Settings.LongestFrame;
+  entry.IsSlow = entry.SecondsPerFrame > this->LongestFrame();
   if (entry.IsSlow)
   {
     KeepSteps(entry); // this frame is all that is timed
@@ -160,18 +200,48 @@ void SceneTrial::Prepare(const ContestantChoice& choice, Entry& entry)
 }
 
 //--------------------------------------------------------------------------------------------------
-void SceneTrial::Judge(Entry& entry) const
+// Fills in the errors per light; returns the RMSE over all lights' pixels.
+double SceneTrial::CompareWith(const std::vector<std::vector<float>>& truth,
+  const std::vector<std::vector<float>>& images, std::vector<VisibilityErrors>& errors) const
 {
-  const int width = this->Reference.Width;
-  const int height = this->Reference.Height;
-  const std::vector<std::vector<float>> images = entry.Runner->GetVisibility();
-  for (size_t light = 0; light < std::min(images.size(), this->Reference.Visibility.size());
-       ++light)
+  for (size_t light = 0; light < std::min(images.size(), truth.size()); ++light)
   {
-    entry.Result.Errors.push_back(MeasureErrors(
-      width, height, this->Reference.Visibility[light], images[light], this->Silhouettes));
+    errors.push_back(MeasureErrors(
+      this->Scene.Width, this->Scene.Height, truth[light], images[light], this->Silhouettes));
   }
-  entry.Result.Rmse = TotalRmse(entry.Result.Errors);
+  return TotalRmse(errors);
+}
+
+//--------------------------------------------------------------------------------------------------
+void SceneTrial::Judge(const ContestantChoice& choice, Entry& entry)
+{
+  const std::vector<std::vector<float>> images = entry.Runner->GetVisibility();
+  entry.Result.Rmse = this->CompareWith(this->Truth.Soft.Visibility, images, entry.Result.Errors);
+  std::vector<VisibilityErrors> others;
+  if (choice.HasHardShadows())
+  {
+    entry.Result.RmseToHard = this->CompareWith(this->Truth.Hard.Visibility, images, others);
+    others.clear();
+  }
+  if (this->FirstVisibility.empty())
+  {
+    this->FirstVisibility = images;
+  }
+  entry.Result.RmseToFirst = this->CompareWith(this->FirstVisibility, images, others);
+  const ColorImage picture =
+    this->Truth.Picture.Pixels.empty() ? ColorImage() : entry.Runner->GetPicture();
+  if (!picture.Pixels.empty())
+  {
+    entry.Result.PictureErrors = MeasureErrors(
+      this->Scene.Width, this->Scene.Height, Luminance(this->Truth.Picture), Luminance(picture))
+                                   .All;
+  }
+  this->KeepPictures(images, entry);
+}
+
+//--------------------------------------------------------------------------------------------------
+void SceneTrial::KeepPictures(const std::vector<std::vector<float>>& images, Entry& entry) const
+{
   const auto isShown = [&entry](const Entry& other)
   {
     const bool isOther = &other != &entry;
@@ -184,9 +254,11 @@ void SceneTrial::Judge(Entry& entry) const
   entry.Result.Picture = entry.Runner->GetPicture();
   if (entry.Result.HasErrors())
   {
+    const int width = this->Scene.Width;
+    const int height = this->Scene.Height;
     entry.Result.Visibility = DrawVisibility(width, height, images.front());
     entry.Result.Difference = { width, height,
-      DrawDifference(this->Reference.Visibility.front(), images.front()) };
+      DrawDifference(this->Truth.Soft.Visibility.front(), images.front()) };
   }
 }
 
@@ -211,7 +283,7 @@ bool SceneTrial::HasTime(const Entry& entry) const
 //--------------------------------------------------------------------------------------------------
 void SceneTrial::TimeRound()
 {
-  for (Motion motion : AllMotions)
+  for (Motion motion : this->Settings.Motions)
   {
     for (Entry& entry : this->Entries)
     {

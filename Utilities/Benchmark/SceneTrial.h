@@ -18,16 +18,19 @@ class SceneTrial
 public:
   /// Keeps references to all of them.
   SceneTrial(const BenchmarkSettings& settings, const BenchmarkScene& scene,
-    const VisibilityImage& reference, const TechniqueFactory& makeTechnique);
+    const SceneTruth& truth, const TechniqueFactory& makeTechnique);
 
   /**
    * Makes a contestant, warms it up and compares its visibility. One that fails is kept with its
-   * reason. One with samples is not even tried where one of its kind with fewer tells that a frame
-   * would take too long.
+   * reason. One with samples or a split light is not even tried where one of its kind with fewer
+   * tells that a frame would take too long.
    */
   void Add(const ContestantChoice& choice);
 
-  /// Draws and times one frame of each contestant and motion.
+  /// Keeps a contestant with the reason why it is not tried.
+  void LeaveOut(const ContestantChoice& choice, const std::string& reason);
+
+  /// Draws and times one frame of each contestant and motion that the settings name.
   void TimeRound();
 
   /// The contestants' results in the order of Add. Ends the trial.
@@ -52,14 +55,20 @@ private:
 
   const BenchmarkSettings& Settings;
   const BenchmarkScene& Scene;
-  const VisibilityImage& Reference;
+  const SceneTruth& Truth;
   const TechniqueFactory& MakeTechnique;
   std::vector<unsigned char> Silhouettes;
+  /// Of the first contestant that has any.
+  std::vector<std::vector<float>> FirstVisibility;
   std::vector<Entry> Entries;
   int Frame = 0;
 
   void Prepare(const ContestantChoice& choice, Entry& entry);
-  void Judge(Entry& entry) const;
+  void Judge(const ContestantChoice& choice, Entry& entry);
+  double CompareWith(const std::vector<std::vector<float>>& truth,
+    const std::vector<std::vector<float>>& images, std::vector<VisibilityErrors>& errors) const;
+  void KeepPictures(const std::vector<std::vector<float>>& images, Entry& entry) const;
+  double LongestFrame() const;
   double Time(Entry& entry, Motion motion);
   bool HasTime(const Entry& entry) const;
   double Foresee(const ContestantChoice& choice) const;

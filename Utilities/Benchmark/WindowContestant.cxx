@@ -5,17 +5,12 @@
 #include "vtkSoftShadowPass.h"
 
 #include <vtkCamera.h>
-#include <vtkCameraPass.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
-#include <vtkRenderPassCollection.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkSequencePass.h>
-#include <vtkShadowMapBakerPass.h>
-#include <vtkShadowMapPass.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cmath> // For distances
@@ -116,25 +111,6 @@ ColorImage WindowContestant::GetPicture()
   vtkNew<vtkUnsignedCharArray> pixels;
   this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
   return { size[0], size[1], Flipped(pixels->GetPointer(0), 3 * size[0], size[1]) };
-}
-
-//--------------------------------------------------------------------------------------------------
-HardShadowContestant::HardShadowContestant(
-  const SceneFactory& makeScene, int width, int height, int mapSize)
-  : WindowContestant(makeScene, width, height)
-{
-  vtkNew<vtkShadowMapBakerPass> baker;
-  baker->SetResolution(mapSize);
-  vtkNew<vtkShadowMapPass> shadows;
-  shadows->SetShadowMapBakerPass(baker);
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(baker);
-  passes->AddItem(shadows);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  this->GetRenderer()->SetPass(camera);
 }
 
 //--------------------------------------------------------------------------------------------------

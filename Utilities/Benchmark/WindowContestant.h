@@ -36,13 +36,6 @@ private:
   vtkSmartPointer<vtkRenderWindow> Window;
 };
 
-/// vtkShadowMapPass: VTK's own hard shadows, one map of the given size per light.
-class HardShadowContestant : public WindowContestant
-{
-public:
-  HardShadowContestant(const SceneFactory& makeScene, int width, int height, int mapSize);
-};
-
 /// One of the techniques of this project.
 class TechniqueContestant : public WindowContestant
 {

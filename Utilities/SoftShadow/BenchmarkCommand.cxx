@@ -6,25 +6,28 @@
 #include "VirtualDisplay.h"
 
 #include "BenchmarkMeshes.h"
+#include "BenchmarkOptions.h"
 #include "BenchmarkPlan.h"
 #include "BenchmarkReport.h"
+#include "BenchmarkScenes.h"
 #include "HtmlReport.h"
 #include "MachineContext.h"
 #include "MarkdownReport.h"
-#include "PaperTables.h"
+#include "PaperRun.h"
 #include "PngData.h"
 #include "Technique.h"
 
 #include "vtkSoftShadowsVersion.h"
 
-#include <vtksys/SystemTools.hxx>
-
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,40 +41,6 @@ namespace softshadows
 {
 namespace
 {
-
-struct BenchmarkOptions
-{
-  std::string Scenes = SOFTSHADOWS_BENCHMARK_SCENES;
-  std::string Output = "softshadow-benchmark";
-  std::vector<std::string> ModelFolders;
-  std::vector<std::string> Only;
-  std::vector<std::string> Techniques;
-  std::vector<std::string> Contestants;
-  bool Quick = false;
-  bool List = false;
-  bool NoPictures = false;
-  int Rounds = 0;           // 0: by Quick
-  double Seconds = 0.0;     // 0: by Quick
-  int ReferenceSamples = 0; // 0: by Quick
-  std::string MeshFolder;
-  std::string Paper;
-};
-
-//--------------------------------------------------------------------------------------------------
-BenchmarkSettings GetSettings(const BenchmarkOptions& options)
-{
-  BenchmarkSettings settings;
-  settings.Rounds = options.Rounds > 0 ? options.Rounds : (options.Quick ? 3 : 9);
-  settings.SecondsPerContestant =
-    options.Seconds > 0.0 ? options.Seconds : (options.Quick ? 0.3 : 10.0);
-  settings.LongestFrame = options.Quick ? 2.0 : 60.0;
-  const int samples =
-    options.ReferenceSamples > 0 ? options.ReferenceSamples : (options.Quick ? 256 : 2304);
-  settings.ReferenceSamplesPerAxis = static_cast<int>(std::ceil(std::sqrt(double(samples))));
-  settings.CacheFolder = options.Output + "/references";
-  settings.Pictures = !options.NoPictures;
-  return settings;
-}
 
 //--------------------------------------------------------------------------------------------------
 std::vector<KnownTechnique> ListTechniques()
@@ -89,37 +58,31 @@ std::vector<KnownTechnique> ListTechniques()
 }
 
 //--------------------------------------------------------------------------------------------------
-// "pcss filter_width=21 search_width=11"
-ContestantChoice ParseContestant(const std::string& text)
-{
-  ContestantChoice choice;
-  for (const std::string& word : vtksys::SystemTools::SplitString(text, ' '))
-  {
-    if (choice.Technique.empty())
-    {
-      choice.Technique = word;
-    }
-    else
-    {
-      choice.Options.insert(SplitOption(word));
-    }
-  }
-  return choice;
-}
-
-//--------------------------------------------------------------------------------------------------
-std::vector<ContestantChoice> GetChoices(const BenchmarkOptions& options, bool few)
+std::vector<ContestantChoice> GetChoices(const BenchmarkOptions& options, PlanSize size)
 {
   std::vector<ContestantChoice> choices;
   if (options.Contestants.empty() || !options.Techniques.empty())
   {
-    choices = SelectTechniques(PlanContestants(ListTechniques(), few), options.Techniques);
+    choices = SelectTechniques(PlanContestants(ListTechniques(), size), options.Techniques);
   }
   for (const std::string& text : options.Contestants)
   {
-    choices.push_back(ParseContestant(text));
+    choices.push_back(ParseChoice(text));
   }
   return choices;
+}
+
+//--------------------------------------------------------------------------------------------------
+PlanSize GetPlanSize(const BenchmarkOptions& options, const BenchmarkScene& scene)
+{
+  if (options.Quick || scene.Grows)
+  {
+    return PlanSize::Few;
+  }
+  const std::vector<std::string>& names = options.Sweeps;
+  const bool isSwept =
+    names.empty() || std::find(names.begin(), names.end(), scene.Name) != names.end();
+  return isSwept ? PlanSize::All : PlanSize::Main;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -166,18 +129,17 @@ void PrintPlan(const BenchmarkOptions& options, const std::vector<BenchmarkScene
   for (const BenchmarkScene& scene : scenes)
   {
     std::cout << scene.Name << (scene.Failure.empty() ? "" : ": " + scene.Failure) << '\n';
-  }
-  for (const ContestantChoice& choice : GetChoices(options, options.Quick))
-  {
-    std::cout << "  " << choice.GetName() << '\n';
+    for (const ContestantChoice& choice : GetChoices(options, GetPlanSize(options, scene)))
+    {
+      std::cout << "  " << choice.GetName() << '\n';
+    }
   }
 }
 
 //--------------------------------------------------------------------------------------------------
-void WriteDocuments(const BenchmarkOptions& options, const BenchmarkResults& results)
+void WriteDocument(const BenchmarkOptions& options, const BenchmarkResults& results)
 {
-  ShowLine("Writing the page", false);
-  WriteFile(options.Output + "/benchmark.html", [&](std::ostream& os) { WriteHtml(os, results); });
+  ShowLine("Writing the document", false);
   std::map<std::string, ColorImage> plots;
   WriteFile(options.Output + "/benchmark.md",
     [&](std::ostream& os) { plots = WriteMarkdown(os, results, "Images"); });
@@ -187,23 +149,120 @@ void WriteDocuments(const BenchmarkOptions& options, const BenchmarkResults& res
     WriteFile(options.Output + "/Images/" + plot.first,
       [&](std::ostream& os) { os << EncodePng(plot.second); });
   }
-  ShowLine("Written: benchmark.json, .csv, .html and .md in " + options.Output, true);
+}
+
+//--------------------------------------------------------------------------------------------------
+std::vector<BenchmarkScene> GetScenes(const BenchmarkOptions& options)
+{
+  std::vector<std::string> folders = options.ModelFolders;
+  folders.push_back(options.Output + "/models");
+  std::vector<BenchmarkScene> scenes = PlanScenes(options.Scenes, folders);
+  if (!options.Paper.empty())
+  {
+    scenes.push_back(MakeGridScene());
+  }
+  if (options.Quick && options.Only.empty())
+  {
+    scenes = PlanQuickScenes(scenes);
+  }
+  for (BenchmarkScene& scene : scenes)
+  {
+    scene.Width = options.Width > 0 ? options.Width : (options.Quick ? 240 : scene.Width);
+    scene.Height = options.Height > 0 ? options.Height : (options.Quick ? 180 : scene.Height);
+  }
+  return SelectScenes(scenes, options.Only);
+}
+
+//--------------------------------------------------------------------------------------------------
+// Seconds until the budget is used up; 0 without one.
+class TimeLeft
+{
+public:
+  explicit TimeLeft(double budget)
+    : Budget(budget)
+  {
+  }
+
+  double Get() const
+  {
+    const std::chrono::duration<double> used = std::chrono::steady_clock::now() - this->Start;
+    return this->Budget > 0.0 ? std::max(1.0, this->Budget - used.count()) : 0.0;
+  }
+
+private:
+  double Budget;
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+//--------------------------------------------------------------------------------------------------
+void SetSceneTime(BenchmarkRunner& runner, double seconds)
+{
+  BenchmarkSettings settings = runner.GetSettings();
+  settings.SecondsPerScene = seconds;
+  runner.SetSettings(settings);
 }
 
 //--------------------------------------------------------------------------------------------------
 void RunPaper(const BenchmarkOptions& options, const std::vector<BenchmarkScene>& scenes,
-  const BenchmarkRunner& runner)
+  BenchmarkRunner& runner, const BenchmarkContext& context)
 {
+  const TimeLeft left(GetBudget(options));
+  std::vector<PaperTable> tables = GetPaperTables(options.Paper);
+  nlohmann::ordered_json json = { { "context", ToJson(context) } };
   std::ostringstream text;
-  for (const PaperTable& table : GetPaperTables(options.Paper))
+  for (size_t i = 0; i < tables.size(); ++i)
   {
-    std::ostringstream one;
-    RunPaperTable(one, table, scenes, runner);
-    std::cout << one.str() << std::flush;
-    text << one.str();
+    tables[i].Width = static_cast<int>(std::lround(options.PaperScale * tables[i].Width));
+    tables[i].Height = static_cast<int>(std::lround(options.PaperScale * tables[i].Height));
+    if (options.ReferencesOnly)
+    {
+      PreparePaperTable(tables[i], scenes, runner);
+      continue;
+    }
+    const double work = std::accumulate(tables.begin() + i, tables.end(), 0.0,
+      [](double sum, const PaperTable& table) { return sum + WorkOf(table); });
+    SetSceneTime(runner, left.Get() * WorkOf(tables[i]) / work);
+    const PaperResult result = RunPaperTable(tables[i], scenes, runner);
+    json["tables"].push_back(ToJson(result));
+    WritePaperMarkdown(text, result);
+    WritePaperMarkdown(std::cout, result);
+    std::cout << std::flush;
+    const std::string path = options.Output + "/paper-" + options.Paper;
+    WriteFile(path + ".md", [&](std::ostream& os) { os << text.str(); });
+    WriteFile(path + ".json", [&](std::ostream& os) { os << json.dump(1) << '\n'; });
   }
-  WriteFile(options.Output + "/paper-" + options.Paper + ".txt",
-    [&](std::ostream& os) { os << text.str(); });
+}
+
+//--------------------------------------------------------------------------------------------------
+void RunScenes(const BenchmarkOptions& options, const std::vector<BenchmarkScene>& scenes,
+  BenchmarkRunner& runner, const BenchmarkContext& context)
+{
+  const TimeLeft left(GetBudget(options));
+  BenchmarkResults results;
+  results.Context = context;
+  for (size_t i = 0; i < scenes.size(); ++i)
+  {
+    const auto choices = GetChoices(options, GetPlanSize(options, scenes[i]));
+    if (options.ReferencesOnly)
+    {
+      runner.Prepare(scenes[i], choices);
+      continue;
+    }
+    SetSceneTime(runner, ShareOfTime(scenes, i, left.Get()));
+    results.Scenes.push_back(runner.Run(scenes[i], choices));
+    // What has been measured so far survives whatever happens next.
+    WriteNumbers(options, results);
+    if (!scenes[i].Grows || i + 1 == scenes.size())
+    {
+      WriteDocument(options, results);
+    }
+  }
+  if (!options.ReferencesOnly)
+  {
+    WriteFile(
+      options.Output + "/benchmark.html", [&](std::ostream& os) { WriteHtml(os, results); });
+    ShowLine("Written: benchmark.json, .csv, .html and .md in " + options.Output, true);
+  }
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -214,10 +273,7 @@ void RunBenchmark(const BenchmarkOptions& options)
     WriteBenchmarkMeshes(options.MeshFolder);
     return;
   }
-  std::vector<std::string> folders = options.ModelFolders;
-  folders.push_back(options.Output + "/models");
-  const std::vector<BenchmarkScene> scenes =
-    SelectScenes(PlanScenes(options.Scenes, folders, options.Quick), options.Only);
+  const std::vector<BenchmarkScene> scenes = GetScenes(options);
   if (options.List)
   {
     PrintPlan(options, scenes);
@@ -227,27 +283,22 @@ void RunBenchmark(const BenchmarkOptions& options)
   WriteBenchmarkMeshes(options.Output + "/models");
 
   const VirtualDisplay display; // outlives all windows
-  BenchmarkResults results;
-  results.Context = DescribeMachine(SOFTSHADOWS_VERSION);
-  BenchmarkRunner runner(GetSettings(options),
+  const BenchmarkContext context = DescribeMachine(SOFTSHADOWS_VERSION);
+  BenchmarkRunner runner(GetBenchmarkSettings(options),
     [](const std::string& technique, const TechniqueOptions& passOptions)
     {
       return CreatePass(
         FindTechnique(technique), OptionTexts(passOptions.begin(), passOptions.end()));
     });
   runner.SetProgress(ShowLine);
-  if (!options.Paper.empty())
+  if (options.Paper.empty())
   {
-    RunPaper(options, scenes, runner);
-    return;
+    RunScenes(options, scenes, runner, context);
   }
-  for (const BenchmarkScene& scene : scenes)
+  else
   {
-    const bool few = options.Quick || scene.Grows;
-    results.Scenes.push_back(runner.Run(scene, GetChoices(options, few)));
-    WriteNumbers(options, results);
+    RunPaper(options, scenes, runner, context);
   }
-  WriteDocuments(options, results);
 }
 
 }
@@ -260,40 +311,7 @@ void AddBenchmarkCommand(CLI::App& app)
     "Measure speed and error of every technique in every scene of a folder, against ray tracing. "
     "Writes benchmark.json (Google Benchmark's form), benchmark.csv, benchmark.html and "
     "benchmark.md.");
-  const auto addList =
-    [command](const std::string& name, std::vector<std::string>& values, const std::string& text)
-  { return command->add_option(name, values, text); };
-  command->add_option("--scenes", options->Scenes, "Folder of scene files")->capture_default_str();
-  command
-    ->add_option("--output", options->Output,
-      "Folder for the reports, the ray-traced references and the generated meshes")
-    ->capture_default_str();
-  addList("--models", options->ModelFolders, "Folders in which models of scenes are looked for");
-  addList("--only", options->Only, "Names of the scenes to run")->delimiter(',');
-  addList("--techniques", options->Techniques,
-    "Techniques to run; plain, vtk (vtkShadowMapPass) and rays are techniques too")
-    ->delimiter(',');
-  addList("--contestant", options->Contestants,
-    "A technique with its options, such as \"pcss filter_width=21\"; in place of the plan, or "
-    "besides --techniques");
-  command->add_flag("--quick", options->Quick, "Small images, few frames, few settings");
-  command->add_flag("--list", options->List, "Print the scenes and contestants, and end");
-  command->add_flag("--no-pictures", options->NoPictures, "Leave pictures out of the page");
-  command->add_option("--rounds", options->Rounds, "Timed frames per contestant and motion")
-    ->check(CLI::Range(1, 1000));
-  command
-    ->add_option("--seconds", options->Seconds,
-      "Seconds that a contestant may use for timed frames in a scene")
-    ->check(CLI::PositiveNumber);
-  command
-    ->add_option("--reference-samples", options->ReferenceSamples,
-      "Rays per pixel and light of the reference, rounded up to a square")
-    ->check(CLI::Range(1, 1 << 20));
-  command->add_option("--paper", options->Paper,
-    "Run the tables of a paper in place of the plan, and print published and measured figures: "
-    "pcss, sssm, cascaded, sbfs or pvssm");
-  command->add_option("--write-models", options->MeshFolder,
-    "Write the generated meshes that scenes name to a folder, and end");
+  AddBenchmarkOptions(*command, *options);
   command->callback([options] { RunBenchmark(*options); });
 }
 

@@ -44,6 +44,10 @@ Technique MakeSeparableTechnique()
     pass, Footprint, "footprint", "search only where rays to the light can meet a blocker"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, RowAxis, "row_axis", "axis of the light that rows lie along", { "s", "t" }));
+  technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(
+    pass, CountReuse, "count_reuse", "count the rows that are reused, in the report"));
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, DebugView, "debug_view",
+    "what is shown in place of visibility", { "none", "search_reuse", "filter_reuse" }));
   technique.Draft = { { "search_width", "7" }, { "filter_width", "15" }, { "map_size", "512" } };
   technique.Best = { { "split", "4" } };
   return technique;

@@ -11,16 +11,11 @@
 //Separable::Rows
 
 uniform mat4 viewToMap;
+uniform int provedByFootprint; // 1: the pixels of this draw were proved lit or blocked
 
-void main()
+// Sum and number of the row's blockers, up to the node and beyond it.
+vec4 searchRow(MapPoint point)
 {
-  Receiver receiver;
-  if (!loadReceiver(ivec2(gl_FragCoord.xy), receiver) || !lightReaches(receiver.positionVs))
-  {
-    discard;
-  }
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
-  // Sum and number of the row's blockers, up to the node and beyond it.
   vec4 row = vec4(0.0);
   vec2 halfRow = rowAxis * (scaleAlong(rowAxis) * max(point.std.z, 0.0));
   for (int i = 0; i < searchWidth; ++i)
@@ -34,7 +29,25 @@ void main()
       row += abs(x) < searchNode ? vec4(blocker, 0.0, 0.0) : vec4(0.0, 0.0, blocker);
     }
   }
+  return row;
+}
+
+void main()
+{
+  Receiver receiver;
+  if (!loadReceiver(ivec2(gl_FragCoord.xy), receiver) || !lightReaches(receiver.positionVs))
+  {
+    discard;
+  }
+  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
   bool blocked = isBlocked(point, point.std.xy, mapLayer);
   gl_FragData[0] = vec4(point.std, blocked ? SEPARABLE_BLOCKED : SEPARABLE_LIT);
+  // No ray to the light meets a blocker where a pixel was proved lit.
+  bool lit = provedByFootprint == 1 && !blocked && point.facesCenter;
+  vec4 row = vec4(0.0);
+  if (!lit)
+  {
+    row = searchRow(point);
+  }
   gl_FragData[1] = row;
 }

@@ -16,6 +16,8 @@ uniform vec3 rowWeights;           // all weights of a row, likewise
 uniform float beta;
 uniform float widthTolerance;      // largest relative difference of the rows' widths
 uniform float weight;
+uniform int debugView;
+uniform sampler2DArray searchShares; // read by the debug view alone
 
 // A pixel nearer than this may stand for both of those that a row lies between.
 const float leastShare = 0.3;
@@ -169,6 +171,14 @@ void main()
   else if (row.w != SEPARABLE_LIT_ROW)
   {
     result = filterVisibility(point, receiver, row.w);
+  }
+  if (debugView == SEPARABLE_DEBUG_SEARCH)
+  {
+    result.x = texelFetch(searchShares, ivec3(pixel, 0), 0).r;
+  }
+  else if (debugView == SEPARABLE_DEBUG_FILTER)
+  {
+    result.x = abs(result.y); // 1 where no row was needed
   }
   // Rounding below 0 would say that there is no value.
   gl_FragData[0] = vec4(weight * max(result.x, 0.0));

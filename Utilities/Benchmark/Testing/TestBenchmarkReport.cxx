@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is made of results, on results made by hand.
 #include "BenchmarkCharts.h"
-#include "BenchmarkPlan.h"
 #include "HtmlReport.h"
 #include "MarkdownReport.h"
-#include "PaperTables.h"
 #include "PngData.h"
 
 #include <gtest/gtest.h>
@@ -78,6 +76,41 @@ TEST(BenchmarkCharts, SeriesAreTechniquesInOrderOfTheOption)
 }
 
 //--------------------------------------------------------------------------------------------------
+TEST(BenchmarkCharts, KernelWidthsMakeOneSeriesThoughTheSearchGrowsToo)
+{
+  SceneResult scene;
+  for (const int width : { 15, 41 })
+  {
+    scene.Contestants.push_back(MakeResult("pcss", 1.0 * width, 0.1));
+    scene.Contestants.back().Options = { { "filter_width", std::to_string(width) },
+      { "search_width", std::to_string(width / 2) }, { "weights", "mean" } };
+  }
+  const ChartDescription chart = TimeAgainstOption(scene, "filter_width");
+  ASSERT_EQ(chart.Series.size(), 1U);
+  EXPECT_EQ(chart.Series[0].Name, "pcss");
+  EXPECT_EQ(chart.Series[0].Y, (std::vector<double>{ 15.0, 41.0 }));
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(BenchmarkCharts, PlotOfAllScenesHasGeometricMeansOfCompleteContestants)
+{
+  BenchmarkResults results;
+  results.Scenes.resize(3);
+  results.Scenes[0].Name = "a";
+  results.Scenes[0].Contestants = { MakeResult("good", 10.0, 0.01), MakeResult("once", 1.0, 0.5) };
+  results.Scenes[1].Name = "b";
+  results.Scenes[1].Contestants = { MakeResult("good", 40.0, 0.04) };
+  results.Scenes[2].Name = "actors-10";
+  results.Scenes[2].Contestants = { MakeResult("good", 1e6, 1.0) };
+  const ChartDescription chart = SpeedAgainstErrorOfAll(results);
+  ASSERT_EQ(chart.Series.size(), 2U) << "the front and one technique";
+  EXPECT_TRUE(chart.Series[0].IsFront);
+  ASSERT_EQ(chart.Series[1].X.size(), 1U);
+  EXPECT_NEAR(chart.Series[1].X[0], 20.0, 1e-9);
+  EXPECT_NEAR(chart.Series[1].Y[0], 0.02, 1e-12);
+}
+
+//--------------------------------------------------------------------------------------------------
 TEST(HtmlReport, NumbersHaveFourDigitsAndTextIsEscaped)
 {
   EXPECT_EQ(FormatNumber(0.0123456), "0.01235");
@@ -113,46 +146,6 @@ TEST(MarkdownReport, HasALinePerContestantWithTheFrontInBold)
   EXPECT_NE(text.str().find("| odd | is not built |"), std::string::npos);
   EXPECT_NE(text.str().find("(Images/speed-box.png)"), std::string::npos);
   EXPECT_EQ(plots.count("speed-box.png"), 1U);
-}
-
-//--------------------------------------------------------------------------------------------------
-TEST(PaperTables, RowsOfATableShareSceneAndLight)
-{
-  for (const char* paper : { "pcss", "sssm", "cascaded", "sbfs", "pvssm" })
-  {
-    for (const PaperTable& table : GetPaperTables(paper))
-    {
-      ASSERT_GE(table.Rows.size(), 2U) << table.Title;
-      for (const PaperRow& row : table.Rows)
-      {
-        EXPECT_EQ(row.Scene, table.Rows.front().Scene) << table.Title << ": " << row.Label;
-        EXPECT_EQ(row.LightScale, table.Rows.front().LightScale) << table.Title;
-      }
-    }
-  }
-  EXPECT_THROW(GetPaperTables("nonsense"), std::runtime_error);
-}
-
-//--------------------------------------------------------------------------------------------------
-TEST(BenchmarkPlan, HasPeersAndEveryTechniqueOnceWithEachSetting)
-{
-  const std::vector<KnownTechnique> known = { { "sampled", { "map_size", "samples", "weights" } },
-    { "pcss", { "map_size", "search_width", "filter_width", "weights", "split" } } };
-  const std::vector<ContestantChoice> all = PlanContestants(known, false);
-  std::set<std::string> names;
-  for (const ContestantChoice& choice : all)
-  {
-    EXPECT_TRUE(names.insert(choice.GetName()).second) << choice.GetName() << " is there twice";
-  }
-  for (const char* name : { "plain", "vtk map_size=1024", "rays samples=256",
-         "sampled map_size=1024 samples=256 weights=mean", "pcss weights=mean",
-         "pcss filter_width=41 search_width=29 weights=mean", "pcss split=2 weights=mean" })
-  {
-    EXPECT_EQ(names.count(name), 1U) << name;
-  }
-  EXPECT_LT(PlanContestants(known, true).size(), 10U);
-  EXPECT_EQ(SelectTechniques(all, { "plain" }).size(), 1U);
-  EXPECT_THROW(SelectTechniques(all, { "nonsense" }), std::runtime_error);
 }
 
 }

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints Documentation/Stability.md: the matrix of hard cases and techniques, measured.
+#include "HardCaseJudge.h"
+#include "HardCases.h"
+#include "Techniques.h"
+
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <string>
+
+using namespace SoftShadowsTesting;
+
+namespace
+{
+
+using Pictures = std::map<std::string, Picture>;
+
+//------------------------------------------------------------------------------
+std::string Number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4f", value);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void PrintHead(const char* title)
+{
+  std::cout << "\n## " << title << "\n\n| case | what |";
+  std::string line = "| --- | --- |";
+  for (const Technique& technique : AllTechniques())
+  {
+    std::cout << ' ' << technique.Name << " |";
+    line += " ---: |";
+  }
+  std::cout << '\n' << line << '\n';
+}
+
+//------------------------------------------------------------------------------
+/// A line of the matrix, and what each technique drew.
+Pictures PrintRow(const HardCase& hardCase)
+{
+  Pictures pictures;
+  HardCaseJudge judge(hardCase);
+  std::string row = "| " + hardCase.Name + " | " + hardCase.What + " |";
+  for (const Technique& technique : AllTechniques())
+  {
+    const Judgement judgement = judge.Judge(technique);
+    const bool isOver = judgement.Rmse > LargestRmse(technique, hardCase);
+    row += isOver ? " **" + Number(judgement.Rmse) + "** |" : " " + Number(judgement.Rmse) + " |";
+    pictures[technique.Name] = judgement.Visibility;
+  }
+  std::cout << row << std::endl;
+  return pictures;
+}
+
+//------------------------------------------------------------------------------
+void PrintChanges(const std::vector<std::pair<std::string, Pictures>>& drawn)
+{
+  PrintHead("Change of the visibility");
+  for (const auto& row : drawn)
+  {
+    std::cout << "| " << row.first << " | |";
+    for (const Technique& technique : AllTechniques())
+    {
+      const Picture& first = drawn.front().second.at(technique.Name);
+      std::cout << ' ' << Number(HardCaseJudge::Distance(first, row.second.at(technique.Name)))
+                << " |";
+    }
+    std::cout << '\n';
+  }
+}
+
+//------------------------------------------------------------------------------
+void PrintIntroduction()
+{
+  std::cout << R"(# Stability
+
+What the techniques make of hard cases. Printed by
+
+    bash Utilities/Scripts/offscreen.sh build/bin/SoftShadowsStability > Documentation/Stability.md
+
+The tests `Stability.*` draw the same scenes and hold each figure to the tolerance of
+`Testing/Stability/HardCaseTolerances.cxx`.
+
+Figures are root mean square errors of the visibility against the ray tracer (256 rays per pixel, itself
+good to 0.005 in the penumbra), over all pixels of a picture of 96 x 96 that show the same surface in
+both. Maps have 512 texels along an edge, 64 points stand for the light (`MillionTriangles`: 16), so
+single pixels at a hard edge or a silhouette that fall to the other side add 0.01 each. A figure in
+bold is above the tolerance.
+)";
+}
+
+//------------------------------------------------------------------------------
+void PrintKnownErrors()
+{
+  std::cout << R"(
+## Known errors
+
+Above what the technique's kind of estimate reaches elsewhere, and why.
+
+| technique | case | at most | reason |
+| --- | --- | ---: | --- |
+)";
+  for (const KnownError& error : KnownErrors())
+  {
+    std::cout << "| " << error.TechniqueName << " | " << error.CaseName << " | "
+              << error.LargestRmse << " | " << error.Reason << " |\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+void PrintReport()
+{
+  PrintIntroduction();
+  std::vector<std::pair<std::string, Pictures>> same;
+  PrintHead("Invariance");
+  for (const HardCase& hardCase : InvarianceCases())
+  {
+    Pictures pictures = PrintRow(hardCase);
+    if (hardCase.SameAsFirst)
+    {
+      same.emplace_back(hardCase.Name, std::move(pictures));
+    }
+  }
+  PrintChanges(same);
+  PrintHead("Geometry");
+  for (const HardCase& hardCase : GeometryCases())
+  {
+    PrintRow(hardCase);
+  }
+  PrintHead("Lights");
+  for (const HardCase& hardCase : LightCases())
+  {
+    PrintRow(hardCase);
+  }
+  PrintKnownErrors();
+}
+
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  try
+  {
+    PrintReport();
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
