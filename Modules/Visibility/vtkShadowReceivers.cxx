@@ -79,6 +79,9 @@ bool vtkShadowReceivers::Begin(vtkRenderer* renderer, int width, int height)
   {
     this->Framebuffer->Bind();
   }
+  // VTK's cache of draw buffers keeps all but the first from the framebuffer before (vtkSSAOPass draws
+  // into three) and would leave out the call: first make it see a difference.
+  state->vtkglDrawBuffer(GL_NONE);
   this->Framebuffer->ActivateDrawBuffers(2);
 
   state->vtkglViewport(0, 0, width, height);

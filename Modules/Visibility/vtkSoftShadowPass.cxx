@@ -16,6 +16,7 @@
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowPassInternals.h"
 #include "vtkSoftShadowsOpenGL.h"
+#include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <limits>
@@ -68,6 +69,22 @@ struct ScopedState
   vtkOpenGLState::ScopedglEnableDisable DepthTest;
   vtkOpenGLState::ScopedglEnableDisable CullFace;
   vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+};
+
+// A texture unit that no texture of a mapper gets. Nothing is bound to it.
+struct ScopedTextureUnit
+{
+  explicit ScopedTextureUnit(vtkOpenGLState* state)
+    : Units(state->GetTextureUnitManager())
+    , Unit(this->Units->Allocate())
+  {
+  }
+  ~ScopedTextureUnit() { this->Units->Free(this->Unit); }
+  ScopedTextureUnit(const ScopedTextureUnit&) = delete;
+  ScopedTextureUnit& operator=(const ScopedTextureUnit&) = delete;
+
+  vtkTextureUnitManager* Units;
+  int Unit;
 };
 
 } // namespace
@@ -194,6 +211,10 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
   }
   impl.Schedule.Reset();
   ScopedState scope(GetWindow(s)->GetState());
+  // The mappers' programs sample the visibility. Where they bake or draw receivers it is not read, but
+  // its sampler must not share a unit with a sampler of another type: OpenGL draws nothing then.
+  const ScopedTextureUnit unit(GetWindow(s)->GetState());
+  impl.Hooks.VisibilityUnit = unit.Unit;
   impl.Timers.BeginStep("maps");
   this->BakeMaps(s);
   impl.Timers.BeginStep("receivers");
@@ -277,11 +298,7 @@ void vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
     ++impl.Statistics.Allocations;
   }
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_RECEIVE;
-  // The sampler needs a unit of its own even where it is not read.
-  vtkShadowTextureArray* visibility = impl.Target.GetTexture();
-  impl.Hooks.VisibilityUnit = visibility->Activate(GetWindow(s));
   this->DrawOpaque(s);
-  visibility->Deactivate();
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
   this->NumberOfRenderedProps = 0;
   impl.Receivers->End(s->GetRenderer());
