@@ -29,7 +29,10 @@ void vtkSeparableTarget::Attach(
     buffers.push_back(outputs[i].Texture ? attachment : GL_NONE);
   }
   glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, marks);
-  window->GetState()->vtkglDrawBuffers(static_cast<unsigned int>(buffers.size()), buffers.data());
+  const auto count = static_cast<unsigned int>(buffers.size());
+  window->GetState()->vtkglDrawBuffers(count, buffers.data());
+  // VTK's cache keeps all but the first from the framebuffer before, and may have left out the call.
+  glDrawBuffers(static_cast<GLsizei>(count), buffers.data());
 }
 
 //------------------------------------------------------------------------------

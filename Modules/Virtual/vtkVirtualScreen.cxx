@@ -51,6 +51,7 @@ void vtkVirtualScreen::BeginShapes(vtkOpenGLRenderWindow* window)
   this->Textures[PREDICTIONS]->AttachLayer(0, 0, 1);
   unsigned int buffers[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
   window->GetState()->vtkglDrawBuffers(2, buffers);
+  glDrawBuffers(2, buffers); // VTK's cache keeps all but the first from the framebuffer before
   window->GetState()->vtkglDisable(GL_BLEND);
 }
 
