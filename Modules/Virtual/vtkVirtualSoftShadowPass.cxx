@@ -307,6 +307,9 @@ void vtkVirtualSoftShadowPass::DrawTiles(const vtkSoftShadowContext& context)
   program->SetUniformi("emitterDisk", Internals::IsDisk(context));
   program->SetUniformi("debugView", this->DebugView);
   program->SetUniformi("antialiasing", this->Antialiasing ? 1 : 0);
+  // Fine tiles sharpen narrow kernels; wide ones are smooth with twice the paper's texels.
+  program->SetUniformf(
+    "coarseness", this->Adaptive ? static_cast<float>(std::max(0.5 * this->Quality, 1.0)) : 0.0f);
   impl.SetCamera(program, context);
   const float cell = 1.0f / vtkVirtualTileTree::GridSize;
   int number = 0;

@@ -27,69 +27,129 @@ uniform float largestKernel; // pixels
 // No surface asks for finer texels than one that the light meets at this cosine.
 const float leastFacing = 0.25;
 
+// Octaves of distances from the receiver that are searched for blockers.
+const int mostShells = 12;
+
+// Blocks of 2^level texels, of which at most searchWidth span the light's image.
+int levelOf(vec2 reach)
+{
+  float blocks = 2.0 * max(reach.x, reach.y) / float(searchWidth);
+  return int(max(ceil(log2(max(blocks, 1e-6))), 0.0));
+}
+
 // Length of [low, high] within [from, to].
 vec2 overlap(vec2 low, vec2 high, vec2 from, vec2 to)
 {
   return max(min(high, to) - max(low, from), vec2(0.0));
 }
 
-// Sum of linear depths and of weights over the blockers in a rectangle of texels. Blocks of stride
-// texels stand for one another; their overlap with the rectangle is their weight.
-vec2 sumBlockers(MapPoint point, vec2 low, vec2 high, ivec2 stride, vec2 margin)
+// Sums over blockers: linear depths, and the shares of the light that they hide, which are the weights.
+// Where only blocks' least depths were met, which may be anywhere within the block: found, but seen by
+// no sample.
+struct Blockers
 {
-  ivec2 last = min(ivec2(floor(high)), ivec2(depthMapSize) - 1);
-  ivec2 first = max(ivec2(floor(low)), ivec2(0)) / stride * stride;
-  vec2 sums = vec2(0.0);
-  for (int y = first.y; y <= last.y; y += stride.y)
+  vec2 seen;
+  vec2 possible;
+};
+
+// The receiver's image of the light at a depth so far in front of it, as a half extent in texels.
+vec2 imageAt(float delta, vec2 pixelReach)
+{
+  return max((kernelScale * max(delta, 0.0) + pixelReach) * depthMapSize, vec2(0.5));
+}
+
+// What a blocker that fills a block hides of the light.
+float shareOfBlock(vec2 center, vec2 image, vec2 block, float stride)
+{
+  vec2 part = overlap(center - image, center + image, block, block + stride);
+  return part.x * part.y / (4.0 * image.x * image.y);
+}
+
+// The least depth of a block may hide a blocker that no sample sees.
+void addPossible(MapPoint point, vec2 block, int level, vec2 pixelReach, inout Blockers blockers)
+{
+  float stride = float(1 << level);
+  float depth = texelFetch(depthPyramid, ivec3(ivec2(block) >> level, int(mapLayer)), level - 1).r;
+  vec2 middle = (block + 0.5 * stride) / depthMapSize;
+  float slope = dot(abs(point.gradient), vec2(0.5 * stride / depthMapSize));
+  if (depth < min(planeDepth(point, middle) + slope, point.std.z))
   {
-    for (int x = first.x; x <= last.x; x += stride.x)
+    vec2 image = imageAt(point.std.z - depth, pixelReach);
+    float share = shareOfBlock(point.std.xy * depthMapSize, image, block, stride);
+    blockers.possible += share * vec2(linearDepth(depth), 1.0);
+  }
+}
+
+// Adds the blockers that stand between nearest and farthest in front of the receiver (depth
+// differences). Blocks of 2^level texels stand for one another.
+void addShell(MapPoint point, float nearest, float farthest, bool isFirst, vec2 pixelReach,
+  inout Blockers blockers)
+{
+  vec2 center = point.std.xy * depthMapSize;
+  vec2 reach = imageAt(farthest, pixelReach);
+  int level = levelOf(reach);
+  float stride = float(1 << level);
+  vec2 last = min(center + reach, depthMapSize - 1.0);
+  vec2 first = floor(max(center - reach, vec2(0.0)) / stride) * stride;
+  for (float y = first.y; y <= last.y; y += stride)
+  {
+    for (float x = first.x; x <= last.x; x += stride)
     {
       vec2 block = vec2(x, y);
-      vec2 st = (min(block + vec2(stride / 2), depthMapSize - 1.0) + 0.5) / depthMapSize;
+      vec2 st = (min(block + floor(0.5 * stride), depthMapSize - 1.0) + 0.5) / depthMapSize;
       float depth = mapDepth(st, mapLayer);
-      if (isBlocker(point, st, depth))
+      float delta = point.std.z - depth;
+      if (delta > nearest && delta <= farthest && isBlocker(point, st, depth))
       {
-        vec2 part = overlap(low, high, block, block + vec2(stride));
-        float share = shareOfBlocker(point, kernelScale, depth, st, margin);
-        sums += part.x * part.y * share * vec2(linearDepth(depth), 1.0);
+        float share = shareOfBlock(center, imageAt(delta, pixelReach), block, stride);
+        blockers.seen += share * vec2(linearDepth(depth), 1.0);
+      }
+      if (isFirst && level > 0)
+      {
+        addPossible(point, block, level, pixelReach, blockers);
       }
     }
   }
-  return sums;
 }
 
 // The map depth of the blockers' mean linear depth; negative if nothing blocks.
-float meanBlocker(MapPoint point, vec2 halfWidth, vec2 pixelReach)
+//
+// The nearer a blocker stands to the receiver, the smaller is the light's image at its depth: each
+// octave of distances is searched with as many samples, the last one texel by texel.
+float meanBlocker(MapPoint point, float farthest, vec2 pixelReach)
 {
-  vec2 reach = max(halfWidth * depthMapSize, vec2(0.05)); // texels; a point still has a weight
-  vec2 center = point.std.xy * depthMapSize;
-  vec2 low = center - reach;
-  vec2 high = center + reach;
-  ivec2 stride = max(ivec2(ceil(2.0 * reach / float(searchWidth))), ivec2(1));
-  vec2 sums = sumBlockers(point, low, high, stride, pixelReach);
-  if (sums.y <= 0.0 && (stride.x > 1 || stride.y > 1))
+  Blockers blockers = Blockers(vec2(0.0), vec2(0.0));
+  float outer = farthest;
+  for (int shell = 0; shell < mostShells; ++shell)
   {
-    // Something thin may stand between the blocks' samples.
-    sums = sumBlockers(point, low, high, ivec2(1), pixelReach);
+    bool isLast = shell == mostShells - 1 || levelOf(imageAt(outer, pixelReach)) == 0 ||
+      imageAt(0.5 * outer, pixelReach) == imageAt(outer, pixelReach);
+    addShell(point, isLast ? -infinitelyFar : 0.5 * outer, outer, shell == 0, pixelReach, blockers);
+    if (isLast)
+    {
+      break;
+    }
+    outer *= 0.5;
   }
+  vec2 sums = blockers.seen.y > 0.0 ? blockers.seen : blockers.possible;
   return sums.y > 0.0 ? mapDepthOfLinear(sums.x / sums.y) : -1.0;
 }
 
-// False if nothing can block; else the half width within which it can.
+// False if nothing can block; else by how much of depth, at most, blockers stand in front.
 //
 // Every pixel of a quad comes here: the pyramid is looked up on one level for the four of them.
-bool searchWidthOf(MapPoint point, vec2 pixelReach, out vec2 halfWidth)
+bool mayBlockFrom(MapPoint point, vec2 pixelReach, out float farthest)
 {
-  vec2 widest = kernelScale * max(point.std.z, 0.0) + pixelReach;
-  DepthRange range = searchPyramid(point, widest, mapLayer);
+  DepthRange range = searchPyramid(point, kernelScale * max(point.std.z, 0.0) + pixelReach, mapLayer);
   // Nothing lies in front of the nearest depth, so nothing outside its kernel can matter.
-  halfWidth = kernelScale * max(point.std.z - range.nearest, 0.0) + pixelReach;
-  DepthRange inner = searchPyramid(point, halfWidth, mapLayer);
+  farthest = max(point.std.z - range.nearest, 0.0);
+  DepthRange inner = searchPyramid(point, kernelScale * farthest + pixelReach, mapLayer);
   if (usePyramid == 0)
   {
-    halfWidth = widest;
+    farthest = max(point.std.z, 0.0);
     return true;
   }
+  farthest = max(point.std.z - inner.nearest, 0.0);
   return range.anyBlocker && inner.anyBlocker;
 }
 
@@ -165,15 +225,15 @@ void main()
   }
   Footprint footprint = footprintOf(receiver, point);
   vec2 pixelReach = served && antialiasing == 1 ? reachOf(footprint) : vec2(0.0);
-  vec2 halfWidth;
-  bool mayBlock = searchWidthOf(point, pixelReach, halfWidth);
+  float farthest;
+  bool mayBlock = mayBlockFrom(point, pixelReach, farthest);
   if (!served)
   {
     return;
   }
   float inFront = shareInFront(point);
   mayBlock = mayBlock && inFront > 0.0;
-  float blocker = mayBlock ? meanBlocker(point, halfWidth, pixelReach) : -1.0;
+  float blocker = mayBlock ? meanBlocker(point, farthest, pixelReach) : -1.0;
   if (blocker < 0.0)
   {
     gl_FragData[0].w = VIRTUAL_LIT + inFront;

@@ -21,32 +21,75 @@ uniform int emitterDisk;
 uniform int antialiasing;
 uniform int debugView;
 uniform float debugShade; // of this tile, in (0, 1)
+uniform float coarseness; // texels of so many times the predicted size serve a kernel; 0: all are used
 
-// Sums of overlaps: of the texels that are lit, that count, and all.
-vec3 filterTile(MapPoint point, Kernel kernel, bool disk, vec2 margin)
+// A kernel of more texels along an edge takes several as one: software rasterisers end a shader's
+// loops after 65535 rounds.
+const float mostTexels = 160.0;
+// Never fewer along an edge than this, if the tile has them.
+const float leastTexels = 16.0;
+
+// How many texels along each axis count as one: a block as coarse as a texel was predicted to be.
+vec2 strideOf(vec2 wantedTexels, Kernel kernel)
 {
-  vec2 center = point.std.xy * depthMapSize;
-  center = kernel.transposed ? center.yx : center;
-  float lastTexel = depthMapSize - 1.0;
-  float texel = 1.0 / depthMapSize;
-  // The receiver's plane, per texel across and along the strips; a texel is compared at its centre.
-  vec2 slope = point.gradient * texel;
-  slope = kernel.transposed ? slope.yx : slope;
-  float plane = point.std.z - point.bias + dot(slope, vec2(0.5) - center);
+  vec2 extent = kernel.transposed ? vec2(kernel.across, kernel.along)
+                                  : vec2(kernel.along, kernel.across + abs(kernel.lean));
+  vec2 wanted = min(coarseness * wantedTexels, 2.0 * extent / leastTexels);
+  wanted = max(wanted, 2.0 * extent / mostTexels);
+  return max(floor(wanted), vec2(1.0));
+}
+
+// The texel that stands for a block, in (s, t): another place in each row and column (multiples of
+// the golden ratio), so that a straight edge along the map is met where it is on average.
+vec2 sampleOf(vec2 block, vec2 stride)
+{
+  vec2 texel = block * stride + floor(fract(0.618034 * block.yx) * stride);
+  return (min(texel, depthMapSize - 1.0) + 0.5) / depthMapSize;
+}
+
+// Sums of overlaps: of the texels that are lit, that count, and all. Lengths are strides.
+//
+// horizon: how the light's points, over its window, come up over the receiver's plane; zero if all of
+// the light is on the side that its centre is on. What is behind the plane, the plane blocks.
+vec3 filterTile(
+  MapPoint point, Kernel kernel, vec2 stride, bool disk, vec2 margin, vec2 horizon)
+{
+  vec2 size = depthMapSize / stride;
+  vec2 center = point.std.xy * size;
+  if (kernel.transposed)
+  {
+    size = size.yx;
+    center = center.yx;
+    horizon = horizon.yx;
+  }
+  horizon /= vec2(kernel.along, length(vec2(kernel.across, kernel.lean)));
   vec3 sums = vec3(0.0);
-  float lastStrip = min(floor(center.x + kernel.along), lastTexel);
+  vec2 last = ceil(size) - 1.0;
+  float lastStrip = min(floor(center.x + kernel.along), last.x);
   for (float i = max(floor(center.x - kernel.along), 0.0); i <= lastStrip; i += 1.0)
   {
     Strip strip = stripOf(kernel, disk, center, i);
-    float high = min(floor(strip.high), lastTexel);
+    float from = max(i, center.x - kernel.along);
+    float to = min(i + 1.0, center.x + kernel.along);
+    // The map's border may cut the last blocks.
+    strip.width *= clamp((size.x - from) / max(to - from, 1e-6), 0.0, 1.0);
+    strip.high = min(strip.high, size.y);
+    float risen = 1.0 + horizon.x * (0.5 * (from + to) - center.x);
+    float high = min(floor(strip.high), last.y);
     vec3 stripSums = vec3(0.0);
     for (float j = max(floor(strip.low), 0.0); j <= high; j += 1.0)
     {
-      vec2 st = (vec2(i, j) + 0.5) * texel;
-      st = kernel.transposed ? st.yx : st;
+      vec2 st = sampleOf(kernel.transposed ? vec2(j, i) : vec2(i, j), stride);
       float depth = mapDepth(st, mapLayer);
       vec3 weights = vec3(1.0);
-      if (depth < plane + dot(slope, vec2(i, j)))
+      float plane = planeDepth(point, st);
+      bool inFront = point.facesCenter ? depth < plane - point.bias : depth > plane + point.bias;
+      float height = 0.5 * (max(j, strip.low) + min(j + 1.0, strip.high)) - center.y;
+      if ((risen + horizon.y * height > 0.0) != point.facesCenter)
+      {
+        weights.x = 0.0;
+      }
+      else if (inFront && depth < point.std.z)
       {
         // Not quite nothing: where nothing else is seen, what stands near decides.
         float share = max(shareOfBlocker(point, kernelScale, depth, st, margin), 1e-4);
@@ -78,11 +121,17 @@ void main()
   loadReceiver(pixel.xy, receiver);
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
   bool disk = emitterDisk == 1;
-  Kernel kernel = kernelOf(shape.xyz, depthMapSize / tileWindow.zw);
+  vec4 prediction = texelFetch(predictions, pixel, 0);
+  vec2 texels = depthMapSize / tileWindow.zw;
+  vec2 stride = strideOf(prediction.zw * texels, kernelOf(shape.xyz, texels));
+  Kernel kernel = kernelOf(shape.xyz, texels / stride);
   // Tiles have texels of their own size; areas must add up in one unit.
   vec2 margin =
     antialiasing == 1 ? reachOf(footprintOf(receiver, point)) : vec2(0.0);
-  vec3 sums = filterTile(point, kernel, disk, margin) * (texel.x * texel.y);
+  vec2 horizon = fract(shape.w) == 0.0 && point.facesCenter
+    ? vec2(0.0)
+    : point.gradient * kernelScale;
+  vec3 sums = filterTile(point, kernel, stride, disk, margin, horizon) * (texel.x * texel.y * stride.x * stride.y);
   if (debugView == VIRTUAL_DEBUG_TILES)
   {
     sums.x = sums.y * debugShade;

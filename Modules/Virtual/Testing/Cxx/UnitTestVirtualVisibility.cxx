@@ -91,6 +91,7 @@ TEST(VirtualVisibility, IsTheClosedFormForOneBlockerDepth)
         window.Pass->SetMapSize(adaptive ? 2048 : 256);
         window.Pass->SetAdaptive(adaptive);
         window.Pass->SetAntialiasing(antialiasing);
+        window.Pass->SetQuality(2.0); // how far an edge lies from a texel's depends on the tiles
         const Errors errors = window.AgainstClosedForm();
         // Predicted tiles hold no more texels than the eye asks for.
         EXPECT_LT(errors.RootMeanSquare, adaptive ? 0.002 : 0.001)
@@ -100,6 +101,18 @@ TEST(VirtualVisibility, IsTheClosedFormForOneBlockerDepth)
       }
     }
   }
+}
+
+TEST(VirtualVisibility, AWideKernelOverFineTexelsIsFilteredInFull)
+{
+  // Hundreds of texels along an edge of a kernel: more than a software rasteriser's loops allow.
+  const Scene scene = MakeRectangleScene(Weights::Mean);
+  SceneWindow window(scene);
+  window.Pass->SetAdaptive(false);
+  window.Pass->SetMapSize(4096);
+  const Errors errors = window.AgainstClosedForm();
+  EXPECT_LT(errors.RootMeanSquare, 0.001);
+  EXPECT_LT(errors.Maximum, 0.01);
 }
 
 TEST(VirtualVisibility, TilesOfOneMapAreTheMap)
