@@ -87,12 +87,14 @@ vec3 gatherBlockers(MapPoint point, vec2 halfWidth, ColumnWalk walk, ColumnRows 
   return vec3(total, reused / float(2 * rows.reach + 1));
 }
 
-// Taps of a row that is read for want of one to reuse. A mean depth needs a third of the taps of a
-// kernel (measured: no change beyond 0.002 dB), if these are not too few to meet a narrow blocker.
-int tapsOfReadRows()
+// Taps of a row, or rows, that are read for want of one to reuse. A mean depth needs a third of the taps
+// of a kernel, if these are not too few to meet a narrow blocker: one for every two texels of the map.
+int tapsOfSearch(float halfWidth)
 {
   const int least = 12;
-  return reusePublished == 1 ? searchWidth : min(max((searchWidth + 2) / 3, least), searchWidth);
+  int taps = tapsThatMatter(searchWidth, halfWidth);
+  int enough = max(max((searchWidth + 2) / 3, least), int(halfWidth * depthMapSize) + 1);
+  return reusePublished == 1 ? taps : min(taps, enough);
 }
 
 // Mean map depth of the blockers, negative if there are none, and the share of reused rows.
@@ -108,12 +110,10 @@ vec2 searchBlockers(MapPoint point, vec2 halfWidth)
     ColumnWalk walk = startWalk(point);
     float halfColumn = dot(halfWidth, columnAxis);
     ColumnRows rows = planRows(walk, halfColumn, searchWidth);
-    int most = tapsOfReadRows();
-    int taps = min(tapsThatMatter(searchWidth, dot(halfWidth, rowAxis)), most);
+    int taps = tapsOfSearch(dot(halfWidth, rowAxis));
     if (rows.reach < 0)
     {
-      int count = min(tapsThatMatter(searchWidth, halfColumn), most);
-      total.xy = readBlockers(point, halfWidth, count, taps);
+      total.xy = readBlockers(point, halfWidth, tapsOfSearch(halfColumn), taps);
     }
     else
     {

@@ -124,27 +124,30 @@ Errors CompareWhereEqual(
 //------------------------------------------------------------------------------
 // A thin leaf over the ground, seen from the side: it hides a part of the ground that its own
 // penumbra, and that of a larger leaf above, run over.
-vtkSmartPointer<vtkRenderer> MakeLeafScene()
+vtkSmartPointer<vtkRenderer> MakeLeafScene(const Placement& placement = Placement())
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetAutomaticLightCreation(false);
-  renderer->AddActor(MakeQuadActor({ Quad{
-    Point{ { -4.0, -4.0, 0.0 } }, Point{ { 8.0, 0.0, 0.0 } }, Point{ { 0.0, 8.0, 0.0 } } } }));
-  renderer->AddActor(MakeQuadActor({ Quad{
-    Point{ { -1.2, -1.25, 0.3 } }, Point{ { 1.6, 0.1, 0.05 } }, Point{ { 0.0, 0.15, 0.06 } } } }));
-  renderer->AddActor(MakeQuadActor({ Quad{
-    Point{ { -0.9, -0.2, 1.0 } }, Point{ { 1.0, 0.2, 0.2 } }, Point{ { -0.2, 0.7, 0.0 } } } }));
+  renderer->AddActor(MakeQuadActor({ Quad{ Point{ { -4.0, -4.0, 0.0 } }, Point{ { 8.0, 0.0, 0.0 } },
+                                     Point{ { 0.0, 8.0, 0.0 } } } },
+    placement));
+  renderer->AddActor(MakeQuadActor({ Quad{ Point{ { -1.2, -1.25, 0.3 } },
+                                     Point{ { 1.6, 0.1, 0.05 } }, Point{ { 0.0, 0.15, 0.06 } } } },
+    placement));
+  renderer->AddActor(MakeQuadActor({ Quad{ Point{ { -0.9, -0.2, 1.0 } }, Point{ { 1.0, 0.2, 0.2 } },
+                                     Point{ { -0.2, 0.7, 0.0 } } } },
+    placement));
   vtkNew<vtkAreaLight> light;
   light->SetPositional(true);
   light->SetConeAngle(80.0);
-  light->SetPosition(0.3, 0.4, 4.0);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetPosition(placement.ToWorld({ { 0.3, 0.4, 4.0 } }).data());
+  light->SetFocalPoint(placement.ToWorld({ { 0.0, 0.0, 0.0 } }).data());
   light->SetShapeToRectangle();
-  light->SetSize(0.6, 0.6);
+  light->SetSize(0.6 * placement.Scale, 0.6 * placement.Scale);
   renderer->AddLight(light);
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(0.2, -4.0, 1.2);
-  camera->SetFocalPoint(0.0, 0.0, 0.2);
+  camera->SetPosition(placement.ToWorld({ { 0.2, -4.0, 1.2 } }).data());
+  camera->SetFocalPoint(placement.ToWorld({ { 0.0, 0.0, 0.2 } }).data());
   camera->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCameraClippingRange();
   return renderer;
@@ -216,13 +219,11 @@ TEST(Separable, NearLeafLeavesNoGhostOnTheGroundBehindIt)
 //------------------------------------------------------------------------------
 TEST(Separable, ScaleAndPlaceChangeNothing)
 {
-  const Scene scene = MakeRectangleScene(Weights::Gaussian);
-  const Picture expected = Draw(scene.Renderer, MakePass(0.1));
+  const Picture expected = Draw(MakeLeafScene(), MakePass(0.1));
   for (const Placement& placement : { Placement{ 1e5, { { 0.0, 0.0, 0.0 } } },
          Placement{ 1e-4, { { 0.0, 0.0, 0.0 } } }, Placement{ 1.0, { { 3e4, -2e4, 1e4 } } } })
   {
-    const Scene placed = MakeRectangleScene(Weights::Gaussian, placement);
-    const Errors errors = Compare(expected, Draw(placed.Renderer, MakePass(0.1)));
+    const Errors errors = Compare(expected, Draw(MakeLeafScene(placement), MakePass(0.1)));
     EXPECT_LT(errors.RootMeanSquare, 1e-3) << "scale " << placement.Scale;
   }
 }
@@ -439,4 +440,21 @@ TEST(ScreenSpace, FollowsTheClosedForm)
     sum += error * error;
   }
   EXPECT_LT(std::sqrt(sum / static_cast<double>(pixels.size())), 0.05);
+}
+
+//------------------------------------------------------------------------------
+TEST(ScreenSpace, DoesNotBlurOverThePlane)
+{
+  const vtkSmartPointer<vtkRenderer> renderer = MakeLeafScene();
+  const Picture exact = Draw(renderer, MakePass(0.0));
+  double errors[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkScreenSpaceSoftShadowPass> pass;
+    pass->SetMapSize(512);
+    pass->SetBeta(i == 0 ? 0.01 : 1.0);
+    errors[i] = Compare(exact, Draw(renderer, pass)).RootMeanSquare;
+  }
+  EXPECT_LT(errors[0], 0.9 * errors[1])
+    << errors[0] << " with the plane, " << errors[1] << " without";
 }
