@@ -11,10 +11,15 @@
 #include "vtkAreaLight.h"
 #include "vtkBilateralSoftShadowPass.h"
 #include "vtkCamera.h"
+#include "vtkCameraPass.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +59,38 @@ public:
     this->Shadows->SetNumberOfSamples(samples);
     this->Window.Render();
     return PictureOf(this->Shadows->GetVisibilityImage(0));
+  }
+
+  /// The share of light that VTK's own shadow pass leaves, one value per pixel.
+  Picture RenderShareOfVTK()
+  {
+    UsePass(this->Renderer, nullptr);
+    this->Window.Render();
+    const Picture plain = this->Window.Read();
+    vtkNew<vtkShadowMapPass> shadows;
+    shadows->GetShadowMapBakerPass()->SetResolution(1024);
+    vtkNew<vtkRenderPassCollection> passes;
+    passes->AddItem(shadows->GetShadowMapBakerPass());
+    passes->AddItem(shadows);
+    vtkNew<vtkSequencePass> sequence;
+    sequence->SetPasses(passes);
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(sequence);
+    this->Renderer->SetPass(camera);
+    this->Window.Render();
+    const Picture shadowed = this->Window.Read();
+    this->Renderer->SetPass(nullptr);
+    camera->ReleaseGraphicsResources(this->Window.Get());
+    UsePass(this->Renderer, this->Shadows);
+    Picture share(Width, Height, 1);
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 0; x < Width; ++x)
+      {
+        share.At(x, y) = shadowed.At(x, y) / std::max(plain.At(x, y), 1.0f / 255.0f);
+      }
+    }
+    return share;
   }
 
   vtkNew<Pass> Shadows;
@@ -278,8 +315,9 @@ TEST(BilateralVisibility, TheOrderOfTheStepsHardlyMatters)
 }
 
 // Two boards at different heights: where the lower one hides the whole lamp, the other's penumbra
-// brings no light.
-TEST(BilateralVisibility, OverlappingBlockersBleedNoLight)
+// brings no light. VTK's own pass compares exponentials of depths, which lets light through where a
+// blocker is near its receiver beside the depths of the scene.
+TEST(BilateralVisibility, OverlappingBlockersBleedNoLightWhereTheExponentialMapDoes)
 {
   auto renderer = MakeRoom(0.6);
   AddQuad(renderer, { { -3.0, -3.0, 2.5 } }, { { 2.9, 0, 0 } }, { { 0, 4, 0 } });
@@ -287,9 +325,13 @@ TEST(BilateralVisibility, OverlappingBlockersBleedNoLight)
   const Picture picture = stage.Render(Pass::ADAPTIVE, 5);
   const std::vector<int> surfaces =
     RoomSurfaces(renderer, PictureOf(stage.Shadows->GetDepthImage()));
+  const Picture exponential = stage.RenderShareOfVTK();
   const std::vector<Point> points =
     PlanePositions(renderer, Width, Height, { { { 0, 0, 0 } }, { { 0, 0, 1 } } });
   int tested = 0;
+  double worst = 0.0;
+  double bleeding = 0.0;
+  int bled = 0;
   for (size_t i = 0; i < points.size(); ++i)
   {
     // Well inside the umbra of the lower board, whose shadow is 6 / 5.2 as large as itself.
@@ -297,8 +339,14 @@ TEST(BilateralVisibility, OverlappingBlockersBleedNoLight)
       points[i][1] < 0.5)
     {
       ++tested;
-      EXPECT_NEAR(picture.Values[i], 0.0, Grey) << points[i][0] << " " << points[i][1];
+      worst = std::max<double>(worst, picture.Values[i]);
+      bleeding += exponential.Values[i];
+      bled += exponential.Values[i] > 0.02 ? 1 : 0;
     }
   }
-  EXPECT_GT(tested, 100);
+  ASSERT_GT(tested, 100);
+  EXPECT_LT(worst, Grey);
+  // Measured: 0.083 of the light on average, over 0.02 on 68 % of the pixels.
+  EXPECT_GT(bleeding / tested, 0.05) << "mean visibility in VTK's pass";
+  EXPECT_GT(bled, tested / 2) << "pixels of " << tested;
 }
