@@ -75,24 +75,36 @@ void AddFew(const KnownTechnique& technique, Plan& plan)
 }
 
 //--------------------------------------------------------------------------------------------------
-void AddMain(const KnownTechnique& technique, Plan& plan)
+bool IsRival(const KnownTechnique& technique)
+{
+  return std::find(std::begin(Rivals), std::end(Rivals), technique.Name) != std::end(Rivals);
+}
+
+//--------------------------------------------------------------------------------------------------
+void AddDefault(const KnownTechnique& technique, Plan& plan)
+{
+  technique.Name == "sampled" ? AddFew(technique, plan)
+                              : plan.Add(technique.Name, With(technique, {}));
+}
+
+//--------------------------------------------------------------------------------------------------
+void AddVariants(const KnownTechnique& technique, Plan& plan)
 {
   const auto add = [&](const TechniqueOptions& options)
   { plan.Add(technique.Name, With(technique, options)); };
-  if (technique.Name == "sampled")
+  if (IsRival(technique))
+  {
+    return;
+  }
+  const bool isSampled = technique.Name == "sampled";
+  if (isSampled)
   {
     for (const char* samples : Samples)
     {
       add({ { "map_size", "1024" }, { "samples", samples } });
     }
-    return;
   }
-  add({});
-  if (std::find(std::begin(Rivals), std::end(Rivals), technique.Name) != std::end(Rivals))
-  {
-    return;
-  }
-  if (technique.Has("samples"))
+  if (technique.Has("samples") && !isSampled)
   {
     for (const char* samples : FewSamples)
     {
@@ -119,8 +131,6 @@ void AddMain(const KnownTechnique& technique, Plan& plan)
 //--------------------------------------------------------------------------------------------------
 void AddMapSizes(const KnownTechnique& technique, Plan& plan)
 {
-  const bool isRival =
-    std::find(std::begin(Rivals), std::end(Rivals), technique.Name) != std::end(Rivals);
   for (const char* size : MapSizes)
   {
     TechniqueOptions options{ { "map_size", size } };
@@ -128,7 +138,7 @@ void AddMapSizes(const KnownTechnique& technique, Plan& plan)
     {
       options["samples"] = "16";
     }
-    if (!isRival)
+    if (!IsRival(technique))
     {
       plan.Add(technique.Name, With(technique, options));
     }
@@ -195,14 +205,20 @@ std::vector<ContestantChoice> PlanContestants(
   plan.Add("vtk", { { "map_size", "1024" } });
   for (const KnownTechnique& technique : techniques)
   {
-    size == PlanSize::Few ? AddFew(technique, plan) : AddMain(technique, plan);
+    size == PlanSize::Few ? AddFew(technique, plan) : AddDefault(technique, plan);
+  }
+  plan.Add("rays", { { "samples", "16" } });
+  if (size == PlanSize::Few)
+  {
+    return plan.Choices;
+  }
+  for (const KnownTechnique& technique : techniques)
+  {
+    AddVariants(technique, plan);
   }
   for (const char* samples : Samples)
   {
-    if (size != PlanSize::Few || samples == std::string("16"))
-    {
-      plan.Add("rays", { { "samples", samples } });
-    }
+    plan.Add("rays", { { "samples", samples } });
   }
   for (const KnownTechnique& technique : techniques)
   {
@@ -278,9 +294,9 @@ double ShareOfTime(const std::vector<BenchmarkScene>& scenes, size_t next, doubl
   double shares = 0.0;
   for (size_t i = next; i < scenes.size(); ++i)
   {
-    shares += scenes[i].Grows ? 1.0 : 3.0;
+    shares += scenes[i].Share;
   }
-  return shares > 0.0 ? secondsLeft * (scenes[next].Grows ? 1.0 : 3.0) / shares : 0.0;
+  return shares > 0.0 ? secondsLeft * scenes[next].Share / shares : 0.0;
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -49,7 +49,7 @@ std::vector<BenchmarkScene> PlanScenes(
 /// grow.
 std::vector<BenchmarkScene> PlanQuickScenes(const std::vector<BenchmarkScene>& scenes);
 
-/// Seconds for one of the scenes that are left, growing ones a third of the others; 0 for no limit.
+/// Seconds for one of the scenes that are left, by their shares; 0 for no limit.
 double ShareOfTime(const std::vector<BenchmarkScene>& scenes, size_t next, double secondsLeft);
 
 /// Those whose name is in the list; all if the list is empty. Throws std::runtime_error for names

@@ -34,7 +34,7 @@ struct BenchmarkSettings
    * one and a half of it. A frame may take a fifteenth of it.
    */
   double SecondsPerScene = 0.0;
-  static constexpr double JudgingShare = 0.45;
+  static constexpr double JudgingShare = 0.5;
   static constexpr int LeastRounds = 3;
   /// Seconds; of contestants that take longer a single frame is timed, and those of which that can be
   /// foreseen are left out.
@@ -61,6 +61,8 @@ struct BenchmarkScene
   SceneFactory Make;
   /// One of a family that grows in actors or triangles: a few contestants are enough.
   bool Grows = false;
+  /// Of the time of a run that is limited, beside the others'.
+  double Share = 3.0;
   /// Set instead if not even the file could be read.
   std::string Failure;
 };

@@ -112,6 +112,7 @@ std::vector<BenchmarkScene> MakeGrowingScenes()
   {
     scenes.push_back(MakeScene(family + std::to_string(count), make(count), models));
     scenes.back().Grows = true;
+    scenes.back().Share = 1.0;
   };
   for (int count = 10; count <= 1000; count *= 10)
   {

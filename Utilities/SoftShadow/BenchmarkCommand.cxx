@@ -168,6 +168,8 @@ std::vector<BenchmarkScene> GetScenes(const BenchmarkOptions& options)
   for (BenchmarkScene& scene : scenes)
   {
     scene.Width = options.Width > 0 ? options.Width : (options.Quick ? 240 : scene.Width);
+    const bool isSwept = !options.Sweeps.empty() && GetPlanSize(options, scene) == PlanSize::All;
+    scene.Share *= isSwept ? 2.0 : 1.0;
     scene.Height = options.Height > 0 ? options.Height : (options.Quick ? 180 : scene.Height);
   }
   return SelectScenes(scenes, options.Only);

@@ -35,6 +35,7 @@ BenchmarkScene Named(const std::string& name, bool grows = false)
   scene.Width = 640;
   scene.Height = 480;
   scene.Grows = grows;
+  scene.Share = grows ? 1.0 : 3.0;
   return scene;
 }
 
@@ -70,6 +71,22 @@ TEST(BenchmarkPlan, SizesContainEachOtherButForFewSettings)
   // plain, vtk, rays; sampled twice, the others once
   EXPECT_EQ(few.size(), 7U);
   EXPECT_EQ(few.count("sampled map_size=1024 samples=1 weights=mean"), 1U);
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(BenchmarkPlan, EveryTechniquesDefaultComesBeforeAnyOtherSetting)
+{
+  const std::vector<ContestantChoice> choices = PlanContestants(Known, PlanSize::All);
+  std::vector<std::string> names;
+  for (size_t i = 0; i < 7; ++i)
+  {
+    names.push_back(choices[i].GetName());
+  }
+  EXPECT_EQ(names,
+    (std::vector<std::string>{ "plain", "vtk map_size=1024",
+      "sampled map_size=1024 samples=16 weights=mean",
+      "sampled map_size=1024 samples=1 weights=mean", "pcss weights=mean", "ssabss",
+      "rays samples=16" }));
 }
 
 //--------------------------------------------------------------------------------------------------

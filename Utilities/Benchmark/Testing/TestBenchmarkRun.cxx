@@ -43,7 +43,7 @@ BenchmarkScene MakeScene()
       ModelStore models;
       return BuildScene(description, models).Renderer;
     },
-    false, "" };
+    false, 3.0, "" };
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -204,6 +204,13 @@ TEST_F(BenchmarkRun, JsonHasGoogleBenchmarksForm)
   int medians = 0;
   for (const auto& entry : json.at("benchmarks"))
   {
+    // What Google Benchmark's tools/compare.py reads of every entry.
+    EXPECT_TRUE(entry.at("name").is_string());
+    EXPECT_TRUE(entry.at("run_name").is_string());
+    EXPECT_TRUE(entry.at("cpu_time").is_number());
+    EXPECT_TRUE(entry.at("repetitions").is_number_integer());
+    EXPECT_EQ(entry.at("run_type") == "aggregate", entry.contains("aggregate_name"));
+    EXPECT_EQ(entry.at("run_type") == "iteration", entry.contains("repetition_index"));
     EXPECT_EQ(entry.at("time_unit"), "ms");
     EXPECT_GT(entry.at("real_time").get<double>(), -1e-9);
     if (entry.at("run_name") == "box/sampled map_size=512 samples=64/light")
