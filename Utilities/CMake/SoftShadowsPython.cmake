@@ -7,7 +7,7 @@
 if (NOT BUILD_SHARED_LIBS)
   message(FATAL_ERROR "SOFTSHADOWS_WRAP_PYTHON needs BUILD_SHARED_LIBS.")
 endif ()
-if (NOT TARGET VTK::WrapPython)
+if (NOT TARGET VTK::WrapPython AND NOT TARGET VTKCompileTools::WrapPython)
   message(FATAL_ERROR
     "The VTK in ${VTK_DIR} has no Python wrapping (on Debian: package python3-vtk9).")
 endif ()
