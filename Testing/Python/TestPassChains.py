@@ -20,16 +20,10 @@ except ImportError as error:
     print("skipped: VTK's Python modules are missing:", error)
     sys.exit(77)
 
-from TestTechniques import HEIGHT, WIDTH, Scene, square
+from TestTechniques import HEIGHT, WIDTH, Scene, square, steps_with
 import vtksoftshadows
 
 UMBRA, PENUMBRA, LIT = (0.2, 0.0), (2.0 / 3.0, 0.0), (1.3, 0.0)
-
-
-def steps_with(shadows):
-    steps = vtkRenderStepsPass()
-    steps.SetOpaquePass(shadows)
-    return steps
 
 
 def ambient_occlusion(delegate):
@@ -54,17 +48,15 @@ class Chain(Scene):
     """The scene with a chain of passes, made of the soft-shadow pass by a function."""
 
     def __init__(self, make_chain, translucent=False):
-        super().__init__(vtksoftshadows.vtkPercentageCloserSoftShadowPass())
+        panes = []
         if translucent:
             for height, color in ((0.3, (1.0, 0.0, 0.0)), (0.2, (0.0, 0.0, 1.0))):
                 pane = square(1.6, height)  # over the point that is lit
                 pane.GetProperty().SetColor(color)
                 pane.GetProperty().SetOpacity(0.5)
                 pane.GetProperty().LightingOff()
-                self.renderer.AddActor(pane)
-        self.chain = make_chain(self.shadows)
-        self.renderer.SetPass(self.chain)
-        self.window.Render()
+                panes.append(pane)
+        super().__init__(vtksoftshadows.vtkPercentageCloserSoftShadowPass(), make_chain, panes)
 
     def image(self):
         grab = vtkWindowToImageFilter()
@@ -91,7 +83,15 @@ def largest_difference(first, second):
 
 class TestChains(unittest.TestCase):
     def assert_shadow(self, chain, least_lit=150):
-        """Visibility and picture are dark, half lit and lit where they must be."""
+        """Visibility and picture are dark, half lit and lit where they must be, also from elsewhere."""
+        self.assert_shadow_now(chain, least_lit)
+        chain.renderer.GetActiveCamera().Azimuth(3.0)
+        chain.window.Render()
+        self.assert_shadow_now(chain, least_lit)
+        chain.renderer.GetActiveCamera().Azimuth(-3.0)
+        chain.window.Render()
+
+    def assert_shadow_now(self, chain, least_lit):
         self.assertLess(chain.visibility(*UMBRA), 0.02)
         self.assertAlmostEqual(chain.visibility(*PENUMBRA), 0.5, delta=0.1)
         self.assertGreater(chain.visibility(*LIT), 0.98)

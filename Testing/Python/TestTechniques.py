@@ -26,11 +26,14 @@ WIDTH, HEIGHT = 320, 240
 
 
 def techniques():
-    """All classes of techniques, by name."""
+    """All classes of techniques, by name; what they share is abstract."""
     found = {}
     for name, value in vars(vtksoftshadows).items():
-        if (isinstance(value, type) and issubclass(value, vtksoftshadows.vtkSoftShadowPass)
-                and value is not vtksoftshadows.vtkSoftShadowPass):
+        if isinstance(value, type) and issubclass(value, vtksoftshadows.vtkSoftShadowPass):
+            try:
+                value()
+            except TypeError:
+                continue  # abstract
             found[name] = value
     return found
 
@@ -48,14 +51,26 @@ def square(half_edge, height):
     return actor
 
 
-class Scene:
-    """The scene of this file's head, in a window of its own."""
+def steps_with(shadows):
+    """VTK's own frame with the shadows as its opaque step."""
+    steps = vtkRenderStepsPass()
+    steps.SetOpaquePass(shadows)
+    return steps
 
-    def __init__(self, shadows):
+
+class Scene:
+    """The scene of this file's head, in a window of its own, drawn once.
+
+    make_chain makes the renderer's pass of the soft-shadow pass; actors are added to the scene.
+    """
+
+    def __init__(self, shadows, make_chain=steps_with, actors=()):
         self.shadows = shadows
         self.renderer = vtkRenderer()
         self.renderer.AddActor(square(4.0, 0.0))
         self.renderer.AddActor(square(0.5, 1.0))
+        for actor in actors:
+            self.renderer.AddActor(actor)
 
         self.lamp = vtksoftshadows.vtkAreaLight()
         self.lamp.SetPositional(1)
@@ -67,9 +82,8 @@ class Scene:
         self.renderer.SetAutomaticLightCreation(0)
         self.renderer.AddLight(self.lamp)
 
-        steps = vtkRenderStepsPass()
-        steps.SetOpaquePass(shadows)
-        self.renderer.SetPass(steps)
+        self.chain = make_chain(shadows)
+        self.renderer.SetPass(self.chain)
 
         camera = self.renderer.GetActiveCamera()
         camera.SetPosition(0.0, -9.0, 3.0)
