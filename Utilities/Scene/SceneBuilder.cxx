@@ -23,39 +23,6 @@ namespace
 constexpr double AmbientPart = 0.15;
 constexpr double Background[3] = { 0.90, 0.92, 0.95 };
 
-vtkSmartPointer<vtkAreaLight> BuildLight(const LightDescription& description)
-{
-  constexpr double noCone = 90.0;
-  auto light = vtkSmartPointer<vtkAreaLight>::New();
-  light->SetLightTypeToSceneLight();
-  light->SetPositional(!description.Directional);
-  light->SetPosition(description.Position.data());
-  light->SetFocalPoint(description.FocalPoint.data());
-  if (description.ViewUp)
-  {
-    light->SetViewUp(description.ViewUp->data());
-  }
-  switch (description.Shape)
-  {
-    case LightShape::Rectangle:
-      light->SetShapeToRectangle();
-      break;
-    case LightShape::Disk:
-      light->SetShapeToDisk();
-      break;
-    case LightShape::Point:
-      light->SetShapeToPoint();
-      break;
-  }
-  light->SetSize(description.Size.data());
-  light->SetAngularDiameter(description.AngularDiameter);
-  light->SetConeAngle(std::min(description.ConeAngle, noCone));
-  light->SetExponent(0.0); // as bright at the cone's edge as in its middle
-  light->SetColor(description.Color[0], description.Color[1], description.Color[2]);
-  light->SetIntensity(description.Intensity);
-  return light;
-}
-
 vtkSmartPointer<vtkActor> BuildActor(
   const ObjectDescription& object, const std::string& sceneFolder, ModelStore& models)
 {
@@ -104,6 +71,38 @@ vtkSmartPointer<vtkCamera> BuildCamera(const CameraDescription& description)
 }
 
 //--------------------------------------------------------------------------------------------------
+void SetUpLight(const LightDescription& description, vtkAreaLight* light)
+{
+  constexpr double noCone = 90.0;
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(!description.Directional);
+  light->SetPosition(description.Position.data());
+  light->SetFocalPoint(description.FocalPoint.data());
+  if (description.ViewUp)
+  {
+    light->SetViewUp(description.ViewUp->data());
+  }
+  switch (description.Shape)
+  {
+    case LightShape::Rectangle:
+      light->SetShapeToRectangle();
+      break;
+    case LightShape::Disk:
+      light->SetShapeToDisk();
+      break;
+    case LightShape::Point:
+      light->SetShapeToPoint();
+      break;
+  }
+  light->SetSize(description.Size.data());
+  light->SetAngularDiameter(description.AngularDiameter);
+  light->SetConeAngle(std::min(description.ConeAngle, noCone));
+  light->SetExponent(0.0); // as bright at the cone's edge as in its middle
+  light->SetColor(description.Color[0], description.Color[1], description.Color[2]);
+  light->SetIntensity(description.Intensity);
+}
+
+//--------------------------------------------------------------------------------------------------
 BuiltScene BuildScene(const SceneDescription& scene, ModelStore& models)
 {
   BuiltScene built;
@@ -113,7 +112,8 @@ BuiltScene BuildScene(const SceneDescription& scene, ModelStore& models)
   built.Renderer->LightFollowCameraOff();
   for (const LightDescription& light : scene.Lights)
   {
-    built.Lights.push_back(BuildLight(light));
+    built.Lights.push_back(vtkSmartPointer<vtkAreaLight>::New());
+    SetUpLight(light, built.Lights.back());
     built.Renderer->AddLight(built.Lights.back());
   }
   for (const ObjectDescription& object : scene.Objects)

@@ -38,6 +38,9 @@ struct BuiltScene
  */
 BuiltScene BuildScene(const SceneDescription& scene, ModelStore& models);
 
+/// Gives a light everything that its description says; what does not change leaves no mark.
+void SetUpLight(const LightDescription& description, vtkAreaLight* light);
+
 }
 
 #endif

@@ -3,6 +3,8 @@
 
 #include "SceneFrame.h"
 
+#include "PassImages.h"
+
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -10,49 +12,12 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 
 namespace softshadows
 {
-namespace
-{
-
-/// VTK's images start at the bottom.
-template <typename T>
-std::vector<T> TopRowFirst(const T* pixels, int rowLength, int rows)
-{
-  std::vector<T> turned(static_cast<std::size_t>(rowLength) * rows);
-  for (int row = 0; row < rows; ++row)
-  {
-    const T* from = pixels + static_cast<std::size_t>(rows - 1 - row) * rowLength;
-    std::copy(
-      from, from + rowLength, turned.begin() + static_cast<std::ptrdiff_t>(row) * rowLength);
-  }
-  return turned;
-}
-
-/// Floats of the image; NaN everywhere if there is none.
-std::vector<float> Values(vtkImageData* image, int width, int height)
-{
-  if (!image)
-  {
-    return std::vector<float>(
-      static_cast<std::size_t>(width) * height, std::numeric_limits<float>::quiet_NaN());
-  }
-  const int* size = image->GetDimensions();
-  if (size[0] != width || size[1] != height)
-  {
-    throw std::runtime_error("the window has another size than asked for: " +
-      std::to_string(size[0]) + " x " + std::to_string(size[1]));
-  }
-  return TopRowFirst(static_cast<const float*>(image->GetScalarPointer()), width, height);
-}
-
-}
 
 //--------------------------------------------------------------------------------------------------
 SceneFrame::SceneFrame(const BuiltScene& scene, vtkSoftShadowPass* pass, int width, int height)
@@ -132,9 +97,9 @@ VisibilityImage SceneFrame::GetVisibility() const
   for (const auto& light : this->Scene.Lights)
   {
     image.Visibility.push_back(
-      Values(this->Pass->GetVisibilityImage(light), this->Width, this->Height));
+      ImageValues(this->Pass->GetVisibilityImage(light), this->Width, this->Height));
   }
-  image.Depth = Values(this->Pass->GetDepthImage(), this->Width, this->Height);
+  image.Depth = ImageValues(this->Pass->GetDepthImage(), this->Width, this->Height);
   return image;
 }
 

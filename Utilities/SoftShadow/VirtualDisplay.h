@@ -11,6 +11,9 @@
 namespace softshadows
 {
 
+/// Whether VTK's windows can open: always where they need no X Window System.
+bool HasDisplay();
+
 /**
  * VTK's windows of the X Window System need a display even when they draw off-screen, and end the
  * program if there is none. Where VTK makes such windows and DISPLAY names no server that answers,

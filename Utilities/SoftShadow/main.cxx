@@ -11,6 +11,10 @@
 #include "ReferenceCommand.h"
 #endif
 
+#ifdef SOFTSHADOWS_HAVE_VIEWER
+#include "ViewCommand.h"
+#endif
+
 #include "Technique.h"
 
 #include <CLI/CLI.hpp>
@@ -34,6 +38,9 @@ int Run(int argc, char** argv)
     },
     "Print the techniques and their options, and end");
   softshadows::AddRenderCommand(app);
+#ifdef SOFTSHADOWS_HAVE_VIEWER
+  softshadows::AddViewCommand(app);
+#endif
   softshadows::AddCompareCommand(app);
 #ifdef SOFTSHADOWS_HAVE_RAY_TRACING
   softshadows::AddReferenceCommand(app);
