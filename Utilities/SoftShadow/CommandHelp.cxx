@@ -19,6 +19,8 @@ namespace
 const char* const Examples = R"(Examples:
   softshadow render bunny.ply -o bunny.png
       a model on a ground plane under a square lamp
+  softshadow view bunny.ply
+      the same in a window; h shows what the keys do
   softshadow render scene.json -o picture.png --technique sampled --quality best
       a scene file, as right as the technique is by itself
   softshadow render scene.json --technique pcss --option split=2 --visibility v.exr

@@ -3,8 +3,6 @@
 
 #include "DebugView.h"
 
-#include "vtkSeparableSoftShadowPass.h"
-
 namespace softshadows
 {
 namespace
@@ -50,11 +48,6 @@ std::vector<DebugView> GetDebugViews(const Technique& technique)
   for (const TechniqueOption& option : technique.Options)
   {
     AddOptionViews(option, views);
-  }
-  if (vtkSeparableSoftShadowPass::SafeDownCast(technique.Create()))
-  {
-    views.push_back({ "reuse", "share of the filter's rows taken from other pixels: white all",
-      Source::Reuse, "", 0.0 });
   }
   return views;
 }

@@ -23,8 +23,7 @@ struct DebugView
     Picture,
     Visibility, ///< Of the selected light, grey.
     Penumbra,   ///< Of the selected light: lit, umbra, and bands between them.
-    Error,      ///< Visibility minus the reference, blue too dark, red too bright.
-    Reuse       ///< Share of the filter's rows that other pixels had computed.
+    Error       ///< Visibility minus the reference, blue too dark, red too bright.
   };
 
   std::string Name;

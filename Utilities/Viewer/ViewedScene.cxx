@@ -7,7 +7,6 @@
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
-#include "vtkSeparableSoftShadowPass.h"
 #include "vtkWindow.h"
 
 #include <algorithm>
@@ -54,11 +53,6 @@ void ViewedScene::Update(const ViewerState& state, vtkWindow* window)
   constexpr int pointsPerFrame = 16;
   this->Pass->SetProgressive(state.IsProgressive() && state.GetView().KeepsVisibility());
   this->Pass->SetProgressivePoints(pointsPerFrame);
-  if (auto* separable = vtkSeparableSoftShadowPass::SafeDownCast(this->Pass))
-  {
-    // Costs a second draw: only while it is looked at.
-    separable->SetCountReuse(state.GetView().Shows == DebugView::Source::Reuse);
-  }
   const std::vector<LightDescription>& lights = state.GetScene().Lights;
   for (std::size_t i = 0; i < lights.size(); ++i)
   {

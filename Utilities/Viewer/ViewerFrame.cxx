@@ -9,7 +9,6 @@
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkSeparableSoftShadowPass.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -250,13 +249,7 @@ void ViewerFrame::UpdateImage()
     return;
   }
   std::vector<float> values = this->Visibility;
-  if (source == Source::Reuse)
-  {
-    auto* pass = vtkSeparableSoftShadowPass::SafeDownCast(this->Scene.GetPass());
-    values = ImageValues(
-      pass->GetReuseImage(vtkSeparableSoftShadowPass::FILTER_STAGE), this->Width, this->Height);
-  }
-  else if (values.empty())
+  if (values.empty())
   {
     values = this->ReadVisibility(this->State.GetLightPlace());
   }
