@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowDepthMaps.h"
+#include "vtkShadowDepthPyramid.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
 
@@ -52,8 +53,12 @@ void vtkPercentageCloserSoftShadowPass::AddVisibility(const vtkSoftShadowContext
   program->SetUniformi("searchWidth", hasExtent ? this->SearchWidth : 1);
   program->SetUniformi("filterWidth", hasExtent ? this->FilterWidth : 1);
   program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
+  // Not read without footprint: any texture of its kind will do.
+  vtkShadowTextureArray* pyramid = this->Footprint ? context.Pyramid->GetTexture() : texture;
+  program->SetUniformi("depthPyramid", pyramid->Activate());
   program->SetUniformi("footprint", this->Footprint ? 1 : 0);
   this->DrawFiltered(this->Shader);
+  pyramid->Deactivate();
   texture->Deactivate();
   context.Receivers->Deactivate();
 }

@@ -82,6 +82,7 @@ protected:
   ~vtkPercentageCloserSoftShadowPass() override;
 
   void AddVisibility(const vtkSoftShadowContext& context) override;
+  bool NeedsPyramid() const override { return this->Footprint; }
   bool HasGaussianWeights() const override;
   int GetTechniqueShaderBuilds() override;
 

@@ -7,6 +7,7 @@
 //SoftShadows::Include vtkShadowDepthMap
 //SoftShadows::Include vtkShadowKernel
 //SoftShadows::Include vtkShadowBlocker
+//SoftShadows::Include vtkShadowProof
 
 uniform mat4 viewToMap;
 uniform vec2 kernelScale;
@@ -70,8 +71,15 @@ void main()
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
-  // Everything in front of the near plane, d = 0, is empty: the search is as wide as the light there.
-  float blocker = searchBlockers(point, kernelScale * max(point.std.z, 0.0));
+  // Everything in front of the near plane, d = 0, is empty: the search is as wide as the light there,
+  // or, with footprint, at the nearest depth that the pyramid finds within that reach.
+  vec2 reachable = kernelScale * max(point.std.z, 0.0);
+  if (footprint == 1)
+  {
+    float nearest = searchPyramid(point, reachable, mapLayer).nearest;
+    reachable = kernelScale * max(point.std.z - nearest, 0.0);
+  }
+  float blocker = searchBlockers(point, reachable);
   bool facesAll = point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0;
   float visibility = 1.0;
   if (blocker >= 0.0 || !facesAll)
