@@ -34,7 +34,6 @@ vtkSeparableStep::vtkSeparableStep(const char* text)
   this->Shader.SetDefinitions(
     { { "SEPARABLE_DEBUG_SEARCH", std::to_string(Pass::DEBUG_SEARCH_REUSE) },
       { "SEPARABLE_DEBUG_FILTER", std::to_string(Pass::DEBUG_FILTER_REUSE) },
-      { "SEPARABLE_LIT", "1.0" }, { "SEPARABLE_BLOCKED", "2.0" },
       { "SEPARABLE_LIT_ROW", std::to_string(vtkSeparableStep::LitRow) },
       { "SEPARABLE_NO_ROW", std::to_string(vtkSeparableStep::NoRow) },
       { "SEPARABLE_PROVED", std::to_string(vtkSeparableStep::ProvedRow) } });

@@ -7,6 +7,7 @@
 #include "vtkSeparableTarget.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowDepthMaps.h"
+#include "vtkShadowDepthPyramid.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
 
@@ -54,6 +55,7 @@ vtkShaderProgram* vtkTwoKernelSoftShadowPass::UseStep(
   this->SetMapUniforms(
     program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
   program->SetUniformi("depthMaps", context.Maps->GetTexture()->Activate());
+  program->SetUniformi("depthPyramid", context.Pyramid->GetTexture()->Activate());
   program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
   // All taps of a light without extent are the same one.
   const bool hasExtent = context.Emitter.HasExtent();
@@ -66,6 +68,7 @@ vtkShaderProgram* vtkTwoKernelSoftShadowPass::UseStep(
 //------------------------------------------------------------------------------
 void vtkTwoKernelSoftShadowPass::EndStep(const vtkSoftShadowContext& context)
 {
+  context.Pyramid->GetTexture()->Deactivate();
   context.Maps->GetTexture()->Deactivate();
   context.Receivers->Deactivate();
 }

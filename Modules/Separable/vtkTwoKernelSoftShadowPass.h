@@ -62,6 +62,7 @@ protected:
   vtkTwoKernelSoftShadowPass();
   ~vtkTwoKernelSoftShadowPass() override;
 
+  bool NeedsPyramid() const override { return true; }
   bool HasGaussianWeights() const override;
   vtkTypeInt64 GetTechniqueBytes() override;
   int GetTechniqueShaderBuilds() override;

@@ -62,6 +62,15 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
   return range;
 }
 
+// How far in front of the receiver, in depth, the nearest texel within the light's image lies: nothing
+// that blocks is farther away.
+float blockerReach(MapPoint point, vec2 kernelScale, float layer)
+{
+  // Everything in front of the near plane, d = 0, is empty.
+  float nearest = searchPyramid(point, kernelScale * max(point.std.z, 0.0), layer).nearest;
+  return max(point.std.z - nearest, 0.0);
+}
+
 // 1: lit, 0: blocked, -1: neither is proved.
 //
 // A blocker at depth d_o matters within kernelScale (d_q - d_o) of the receiver; none lies in front

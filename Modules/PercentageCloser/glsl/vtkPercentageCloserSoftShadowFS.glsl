@@ -71,15 +71,11 @@ void main()
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
-  // Everything in front of the near plane, d = 0, is empty: the search is as wide as the light there,
-  // or, with footprint, at the nearest depth that the pyramid finds within that reach.
-  vec2 reachable = kernelScale * max(point.std.z, 0.0);
-  if (footprint == 1)
-  {
-    float nearest = searchPyramid(point, reachable, mapLayer).nearest;
-    reachable = kernelScale * max(point.std.z - nearest, 0.0);
-  }
-  float blocker = searchBlockers(point, reachable);
+  // The paper's search is as wide as the light on the near plane, d = 0. With the footprint nothing
+  // counts that lies outside the light's image at the nearest depth, and taps there are of no use.
+  float reachable =
+    footprint == 1 ? blockerReach(point, kernelScale, mapLayer) : max(point.std.z, 0.0);
+  float blocker = searchBlockers(point, kernelScale * reachable);
   bool facesAll = point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0;
   float visibility = 1.0;
   if (blocker >= 0.0 || !facesAll)

@@ -17,8 +17,10 @@ uniform float rowTotal; // weight of all taps of a filter's row
 
 // Rows whose mean is the middle row of the filter: four leave 0.02 dB to ten.
 const int mostMiddleRows = 4;
+// A row's own search may reach farther or less far by this share.
+const float reachTolerance = 0.5;
 
-bool canReuse(MapPoint point, vec4 other, vec2 expected, vec2 halfWidth)
+bool canReuse(MapPoint point, float reach, vec4 other, vec2 expected)
 {
   if (other.w == 0.0)
   {
@@ -30,7 +32,9 @@ bool canReuse(MapPoint point, vec4 other, vec2 expected, vec2 halfWidth)
   }
   // A row that was searched from another plane is as wrong as its distance is large beside the
   // distance that the search spans.
-  return offPlane(point, other.xyz) < alpha * point.std.z && isNear(other.xyz, expected, halfWidth);
+  return offPlane(point, other.xyz) < alpha * point.std.z &&
+    isNear(other.xyz, expected, kernelScale * reach) &&
+    abs(abs(other.w) - reach) <= reachTolerance * reach;
 }
 
 // Sum and number of the blockers, all rows read from the map.
@@ -44,8 +48,9 @@ vec2 readBlockers(MapPoint point, vec2 halfWidth, int rows, int taps)
   return total;
 }
 
-// Sum and number of the blockers in the chord of a row that another pixel has taken.
-vec2 blockersInRow(MapPoint point, vec3 pixel, float chord, vec2 offset)
+// Sum and number of the blockers in the chord of a row that another pixel has taken, whose search
+// reaches so many times as far as this one's.
+vec2 blockersInRow(MapPoint point, vec3 pixel, float chord, vec2 offset, float farther)
 {
   vec4 row = textureLod(searchRows, pixel, 0.0);
   vec2 whole = row.xy + row.zw;
@@ -54,13 +59,16 @@ vec2 blockersInRow(MapPoint point, vec3 pixel, float chord, vec2 offset)
   {
     return vec2(0.0);
   }
-  return row.xy * min(chord / searchNode, 1.0) +
-    row.zw * max((chord - searchNode) / (1.0 - searchNode), 0.0);
+  float end = min(chord / farther, 1.0);
+  vec2 inChord = row.xy * min(end / searchNode, 1.0) +
+    row.zw * max((end - searchNode) / (1.0 - searchNode), 0.0);
+  return inChord * farther; // whose taps are so much farther apart
 }
 
 // Sum and number of the blockers, and the share of reused rows.
-vec3 gatherBlockers(MapPoint point, vec2 halfWidth, ColumnWalk walk, ColumnRows rows, int taps)
+vec3 gatherBlockers(MapPoint point, float reach, ColumnWalk walk, ColumnRows rows, int taps)
 {
+  vec2 halfWidth = kernelScale * reach;
   vec2 total = vec2(0.0);
   float reused = 0.0;
   for (int i = -rows.reach; i <= rows.reach; ++i)
@@ -71,9 +79,9 @@ vec3 gatherBlockers(MapPoint point, vec2 halfWidth, ColumnWalk walk, ColumnRows 
     vec2 offset = y * columnAxis * halfWidth;
     vec3 pixel = vec3(screenAt(walk, dot(offset, columnAxis)), 0.0);
     vec4 other = textureLod(receiverPoints, pixel, 0.0);
-    if (canReuse(point, other, point.std.xy + offset, halfWidth))
+    if (canReuse(point, reach, other, point.std.xy + offset))
     {
-      total += share * blockersInRow(point, pixel, chordAt(cell.x), offset);
+      total += share * blockersInRow(point, pixel, chordAt(cell.x), offset, abs(other.w) / reach);
       reused += 1.0;
     }
     else
@@ -98,8 +106,9 @@ int tapsOfSearch(float halfWidth)
 }
 
 // Mean map depth of the blockers, negative if there are none, and the share of reused rows.
-vec2 searchBlockers(MapPoint point, vec2 halfWidth)
+vec2 searchBlockers(MapPoint point, float reach)
 {
+  vec2 halfWidth = kernelScale * reach;
   vec3 total = vec3(0.0);
   if (alpha == 0.0)
   {
@@ -117,7 +126,7 @@ vec2 searchBlockers(MapPoint point, vec2 halfWidth)
     }
     else
     {
-      total = gatherBlockers(point, halfWidth, walk, rows, taps);
+      total = gatherBlockers(point, reach, walk, rows, taps);
     }
   }
   return vec2(total.y > 0.0 ? mapDepthOfLinear(total.x / total.y) : -1.0, total.z);
@@ -166,7 +175,7 @@ void main()
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
-  vec2 search = searchBlockers(point, kernelScale * max(point.std.z, 0.0));
+  vec2 search = searchBlockers(point, searchReach(point));
   // w: the depth between receiver and blockers, which is the filter's width.
   float gap = search.x < 0.0 ? 0.0 : max(point.std.z - search.x, 0.0);
   vec4 row = vec4(0.0, 0.0, 0.0, search.x < 0.0 ? SEPARABLE_LIT_ROW : gap);

@@ -6,6 +6,8 @@
 const float searchNode = 0.7;
 const vec2 filterNodes = vec2(0.5, 0.8);
 
+//SoftShadows::Include vtkShadowProof
+
 uniform vec2 rowAxis;
 uniform vec2 columnAxis;
 uniform vec2 kernelScale;
@@ -38,6 +40,12 @@ float lineWeight(float tap, vec2 axis)
 float chordAt(float y)
 {
   return emitterDisk == 1 ? sqrt(max(1.0 - y * y, 0.0)) : 1.0;
+}
+
+// How far in front of the receiver blockers are searched, in depth.
+float searchReach(MapPoint point)
+{
+  return footprint == 1 ? blockerReach(point, kernelScale, mapLayer) : max(point.std.z, 0.0);
 }
 
 // How many taps of a row say all that the map holds: no more than taps, four per texel.

@@ -13,11 +13,13 @@
 uniform mat4 viewToMap;
 uniform int provedByFootprint; // 1: the pixels of this draw were proved lit or blocked
 
+const float leastReach = 1e-12; // 0 says that there is no receiver
+
 // Sum and number of the row's blockers, up to the node and beyond it.
-vec4 searchRow(MapPoint point)
+vec4 searchRow(MapPoint point, float reach)
 {
   vec4 row = vec4(0.0);
-  vec2 halfRow = rowAxis * (scaleAlong(rowAxis) * max(point.std.z, 0.0));
+  vec2 halfRow = rowAxis * (scaleAlong(rowAxis) * reach);
   for (int i = 0; i < searchWidth; ++i)
   {
     float x = tapCoordinate(i, searchWidth);
@@ -41,13 +43,15 @@ void main()
   }
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
   bool blocked = isBlocked(point, point.std.xy, mapLayer);
-  gl_FragData[0] = vec4(point.std, blocked ? SEPARABLE_BLOCKED : SEPARABLE_LIT);
   // No ray to the light meets a blocker where a pixel was proved lit.
   bool lit = provedByFootprint == 1 && !blocked && point.facesCenter;
+  float reach = 0.0;
   vec4 row = vec4(0.0);
   if (!lit)
   {
-    row = searchRow(point);
+    reach = searchReach(point);
+    row = searchRow(point, reach);
   }
+  gl_FragData[0] = vec4(point.std, (blocked ? -1.0 : 1.0) * max(reach, leastReach));
   gl_FragData[1] = row;
 }

@@ -91,7 +91,7 @@ float reuseRow(MapPoint point, Receiver receiver, float gap, vec2 place, vec2 ax
     vec4 other = textureLod(receiverPoints, vec3(pixel, 0.0), 0.0);
     if (canReuse(point, receiver, pixel, other, point.std.xy + offset, gap))
     {
-      float blocked = blockedInRow(pixel, gap, parts, other.w == SEPARABLE_BLOCKED);
+      float blocked = blockedInRow(pixel, gap, parts, other.w < 0.0);
       float weightOfPixel = blocked < 0.0 ? 0.0 : (k == 0 ? 1.0 - share : share);
       total += weightOfPixel * vec2(blocked, 1.0);
     }

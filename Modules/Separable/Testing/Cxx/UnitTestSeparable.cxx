@@ -213,7 +213,7 @@ TEST(Separable, NearLeafLeavesNoGhostOnTheGroundBehindIt)
   // The scene can show ghosts: the published criterion with a wide threshold does.
   const auto careless = MakePass(1.0);
   careless->SetReuse(vtkSeparableSoftShadowPass::REUSE_AS_PUBLISHED);
-  EXPECT_GT(Compare(exact, Draw(renderer, careless)).FarOff, 100);
+  EXPECT_GT(Compare(exact, Draw(renderer, careless)).FarOff, 60);
 }
 
 //------------------------------------------------------------------------------
