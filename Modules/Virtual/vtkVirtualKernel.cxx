@@ -12,9 +12,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-double Overlap(double low, double high, double from, double to)
+// The integral of exp(-2 x^2) from 0 to x.
+double GaussianIntegral(double x)
 {
-  return std::max(std::min(high, to) - std::max(low, from), 0.0);
+  return std::sqrt(vtkMath::Pi() / 8.0) * std::erf(std::sqrt(2.0) * x);
 }
 
 // The integral of sqrt(1 - x^2) from 0 to x.
@@ -64,9 +65,31 @@ vtkVirtualKernel vtkVirtualKernel::FromVariance(
 }
 
 //------------------------------------------------------------------------------
+double vtkVirtualKernel::GetWindowArea(
+  bool disk, bool gaussian, const std::array<double, 4>& window)
+{
+  if (!gaussian)
+  {
+    return disk ? vtkMath::Pi() : 4.0;
+  }
+  if (disk)
+  {
+    return 0.5 * vtkMath::Pi() * (1.0 - std::exp(-2.0)); // a disk is never split
+  }
+  double area = 1.0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    area *= (GaussianIntegral(window[axis] + window[axis + 2]) -
+              GaussianIntegral(window[axis] - window[axis + 2])) /
+      window[axis + 2];
+  }
+  return area;
+}
+
+//------------------------------------------------------------------------------
 double vtkVirtualKernel::GetArea() const
 {
-  return (this->Disk ? vtkMath::Pi() : 4.0) * this->Along * this->Across;
+  return GetWindowArea(this->Disk, this->Gaussian, this->Window) * this->Along * this->Across;
 }
 
 //------------------------------------------------------------------------------
@@ -77,7 +100,7 @@ vtkVirtualKernel::Strip vtkVirtualKernel::GetStrip(double along, double across, 
   const double width = to - from;
   if (width <= 0.0)
   {
-    return { 0.0, 0.0, 0.0 };
+    return { 0.0, 0.0, 0.0, 0.0, 1.0 };
   }
   double half = this->Across;
   if (this->Disk)
@@ -91,9 +114,35 @@ vtkVirtualKernel::Strip vtkVirtualKernel::GetStrip(double along, double across, 
   const double middle = across + slope * 0.5 * (from + to);
   if (half <= 0.0)
   {
-    return { 0.0, 0.0, 0.0 };
+    return { 0.0, 0.0, 0.0, 0.0, 1.0 };
   }
-  return { width * half / smeared, middle - smeared, middle + smeared };
+  double weight = width;
+  if (this->Gaussian)
+  {
+    const double center = this->Window[this->Transposed ? 1 : 0];
+    const double perTexel = this->Window[this->Transposed ? 3 : 2] / this->Along;
+    weight =
+      (GaussianIntegral(center + to * perTexel) - GaussianIntegral(center + from * perTexel)) /
+      perTexel;
+  }
+  const double slopeAcross =
+    this->Window[this->Transposed ? 2 : 3] * half / (smeared * this->Across);
+  return { weight * half / smeared, middle - smeared, middle + smeared, middle, slopeAcross };
+}
+
+//------------------------------------------------------------------------------
+double vtkVirtualKernel::GetTexelOverlap(const Strip& strip, int index) const
+{
+  const double from = std::max<double>(strip.Low, index);
+  const double to = std::max(std::min<double>(strip.High, index + 1), from);
+  if (!this->Gaussian)
+  {
+    return to - from;
+  }
+  const double center = this->Window[this->Transposed ? 0 : 1];
+  return (GaussianIntegral(center + strip.WindowSlope * (to - strip.Middle)) -
+           GaussianIntegral(center + strip.WindowSlope * (from - strip.Middle))) /
+    strip.WindowSlope;
 }
 
 //------------------------------------------------------------------------------
@@ -101,7 +150,7 @@ double vtkVirtualKernel::GetOverlap(double s, double t, int i, int j) const
 {
   const Strip strip = this->Transposed ? this->GetStrip(t, s, j) : this->GetStrip(s, t, i);
   const int row = this->Transposed ? i : j;
-  return strip.Width * Overlap(row, row + 1, strip.Low, strip.High);
+  return strip.Width * this->GetTexelOverlap(strip, row);
 }
 
 //------------------------------------------------------------------------------
@@ -122,7 +171,7 @@ std::array<double, 2> vtkVirtualKernel::Filter(
     const int high = std::min(static_cast<int>(std::floor(strip.High)), lastTexel);
     for (int j = low; j <= high; ++j)
     {
-      const double area = strip.Width * Overlap(j, j + 1, strip.Low, strip.High);
+      const double area = strip.Width * this->GetTexelOverlap(strip, j);
       sums[0] += area * (this->Transposed ? lit(j, i) : lit(i, j));
       sums[1] += area;
     }

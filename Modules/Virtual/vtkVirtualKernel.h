@@ -41,6 +41,10 @@ struct VTKRENDERINGSOFTSHADOWSVIRTUAL_EXPORT vtkVirtualKernel
   double Lean = 0.0;
   double Across = 0.0;
   bool Disk = false;
+  /// Weights exp(-2 (x^2 + y^2)) over the whole light's window, else 1; and what of that window the
+  /// kernel stands for: middle and half size in (s, t).
+  bool Gaussian = false;
+  std::array<double, 4> Window = { { 0.0, 0.0, 1.0, 1.0 } };
 
   /// Half axes no smaller than this many texels: a point is looked up, not integrated.
   static constexpr double LeastHalfExtent = 2e-3;
@@ -61,13 +65,16 @@ struct VTKRENDERINGSOFTSHADOWSVIRTUAL_EXPORT vtkVirtualKernel
   static vtkVirtualKernel FromVariance(
     const vtkVirtualVariance& variance, bool disk, const std::array<double, 2>& texelsPerUnit);
 
-  /// In square texels.
+  /// In square texels, weighted.
   double GetArea() const;
+
+  /// The same of a kernel whose half extents are 1.
+  static double GetWindowArea(bool disk, bool gaussian, const std::array<double, 4>& window);
 
   ///@{
   /**
    * Overlap in square texels of texel (i, j), the square [i, i + 1] x [j, j + 1], with the kernel
-   * around (s, t), both in texels.
+   * around (s, t), both in texels, weighted.
    */
   double GetOverlap(double s, double t, int i, int j) const;
   ///@}
@@ -88,7 +95,10 @@ private:
     double Width; // of the overlap, reduced as the strip is smeared
     double Low;
     double High;
+    double Middle;
+    double WindowSlope; // how much of the window a texel is
   };
+  double GetTexelOverlap(const Strip& strip, int index) const;
   Strip GetStrip(double along, double across, int index) const;
 };
 

@@ -220,6 +220,7 @@ bool vtkVirtualSoftShadowPass::DrawShapes(const vtkSoftShadowContext& context)
   program->SetUniformi("depthPyramid", pyramid->Activate());
   program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
   program->SetUniformi("searchWidth", this->SearchWidth);
+  program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
   program->SetUniformi("antialiasing", this->Antialiasing ? 1 : 0);
   impl.SetCamera(program, context);
   const bool isStatic = this->Metric == STATIC || (this->Metric == AUTOMATIC && impl.IsStatic);
@@ -304,7 +305,7 @@ void vtkVirtualSoftShadowPass::DrawTiles(const vtkSoftShadowContext& context)
   this->SetReceiverUniforms(program, context);
   impl.Screen.Activate(program, Screen::SHAPES);
   impl.Screen.Activate(program, Screen::PREDICTIONS);
-  program->SetUniformi("emitterDisk", Internals::IsDisk(context));
+  program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
   program->SetUniformi("debugView", this->DebugView);
   program->SetUniformi("antialiasing", this->Antialiasing ? 1 : 0);
   // Fine tiles sharpen narrow kernels; wide ones are smooth with twice the paper's texels.
@@ -344,7 +345,11 @@ void vtkVirtualSoftShadowPass::Resolve(const vtkSoftShadowContext& context)
   impl.Screen.Activate(program, Screen::SHAPES);
   impl.Screen.Activate(program, Screen::PREDICTIONS);
   impl.Screen.Activate(program, Screen::SUMS);
-  program->SetUniformi("emitterDisk", Internals::IsDisk(context));
+  program->SetUniformf("windowArea",
+    static_cast<float>(
+      vtkVirtualKernel::GetWindowArea(Internals::IsDisk(context) == 1, this->HasGaussianWeights(),
+        { { context.Emitter.WindowCenter[0], context.Emitter.WindowCenter[1],
+          context.Emitter.WindowHalfSize[0], context.Emitter.WindowHalfSize[1] } })));
   program->SetUniformi("debugView", this->DebugView);
   program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
   if (this->EarlyOut)
@@ -356,6 +361,12 @@ void vtkVirtualSoftShadowPass::Resolve(const vtkSoftShadowContext& context)
   program->SetUniformi("part", this->EarlyOut ? PART_PENUMBRA : PART_ALL);
   this->DrawFiltered(impl.ResolveShader);
   impl.Screen.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualSoftShadowPass::HasGaussianWeights() const
+{
+  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
 }
 
 //------------------------------------------------------------------------------
@@ -463,6 +474,7 @@ void vtkVirtualSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FixedLevels: " << this->FixedLevels << "\n";
   os << indent << "Antialiasing: " << (this->Antialiasing ? "on" : "off") << "\n";
   os << indent << "Metric: " << metrics[this->Metric] << "\n";
+  os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "SearchWidth: " << this->SearchWidth << "\n";
   os << indent << "MaximumTiles: " << this->MaximumTiles << "\n";

@@ -19,7 +19,8 @@
  * Exact, up to texels, for one blocker depth parallel to the light; the blockers of a kernel count as
  * one plane and only what the emitter's centre sees blocks, as in percentage-closer filtering. Cost:
  * the texels under the kernels of pixels that are not proved lit, and the tiles that changed.
- * A disk's kernel is an ellipse; a directional light's likewise. Lights are uniform.
+ * A disk's kernel is an ellipse; a directional light's likewise. Gaussian weights are integrated over
+ * each texel's overlap.
  *
  * Beyond the paper: blockers are searched octave by octave of their distance from the receiver and
  * weighted by what they hide of the light; a texel outside the pyramid of receiver and light at its own
@@ -34,6 +35,7 @@
 #define vtkVirtualSoftShadowPass_h
 
 #include "vtkRenderingSoftShadowsVirtualModule.h" // For export macro
+#include "vtkShadowLightSampling.h"               // For weights
 #include "vtkSoftShadowPass.h"
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
@@ -109,6 +111,17 @@ public:
 
   ///@{
   /**
+   * Weights of the light's points: uniform, or N(0, 0.5) over the light's window [-1, 1]^2. Default is
+   * MEAN.
+   */
+  vtkSetClampMacro(Weights, int, vtkShadowLightSampling::MEAN, vtkShadowLightSampling::GAUSSIAN);
+  vtkGetMacro(Weights, int);
+  void SetWeightsToMean() { this->SetWeights(vtkShadowLightSampling::MEAN); }
+  void SetWeightsToGaussian() { this->SetWeights(vtkShadowLightSampling::GAUSSIAN); }
+  ///@}
+
+  ///@{
+  /**
    * What the predicted number of texels along an edge is multiplied by, in [0.125, 8]. 1 is the
    * paper's: it looks right, but straight edges along the map may lie half a texel off, a few
    * hundredths of visibility. Default is 3.
@@ -174,6 +187,7 @@ protected:
   /// The kernel shapes prove pixels lit themselves, footprint included; holes that a conservative
   /// map closes forbid to prove them blocked.
   int GetProof() const override { return PROVES_NOTHING; }
+  bool HasGaussianWeights() const override;
   vtkTypeInt64 GetTechniqueBytes() override;
   vtkTypeInt64 GetTechniqueDrawCalls() override;
   int GetTechniqueShaderBuilds() override;
@@ -183,6 +197,7 @@ protected:
   int FixedLevels = 0;
   bool Antialiasing = false;
   int Metric = DYNAMIC;
+  int Weights = vtkShadowLightSampling::MEAN;
   double Quality = 3.0;
   int SearchWidth = 24;
   int MaximumTiles = 256;

@@ -128,14 +128,15 @@ vtkSmartPointer<vtkSoftShadowPass> MakeAdaptiveSampled(Effort effort, Weights we
 }
 
 //------------------------------------------------------------------------------
-/// Uniform lights only.
-vtkSmartPointer<vtkSoftShadowPass> MakeVirtual(Effort effort, Weights)
+vtkSmartPointer<vtkSoftShadowPass> MakeVirtual(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkVirtualSoftShadowPass>::New();
   pass->SetMapSize(Choose(effort, 2048, 512, 512));
   pass->SetSearchMapSize(Choose(effort, 1024, 256, 256));
   pass->SetSearchWidth(Choose(effort, 24, 16, 12));
   pass->SetAdaptive(effort != Effort::Quick);
+  pass->SetWeights(
+    weights == Weights::Gaussian ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN);
   return pass;
 }
 
@@ -163,7 +164,7 @@ const std::vector<Technique>& AllTechniques()
     { "Separable", MakeSeparable, 0.015, 0.03, 1.0 / 11.0, 0.002, true, true },
     { "Cascaded", MakeCascaded, 0.01, 0.03, 1.0 / 16.0 },
     { "AdaptiveSampled", MakeAdaptiveSampled, 0.02, 0.03, 1.0 / 16.0 },
-    { "Virtual", MakeVirtual, 0.015, 0.03, 1.0 / 8.0, 0.0, false, true },
+    { "Virtual", MakeVirtual, 0.015, 0.03, 1.0 / 8.0, 0.0, true, true },
   };
   return techniques;
 }

@@ -23,6 +23,8 @@ Technique MakeVirtualTechnique()
     "the mean over a pixel's footprint, or what its centre sees"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, Metric, "metric",
     "prediction for moving or resting shadows", { "dynamic", "static", "automatic" }));
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
+    pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
   technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
     pass, Quality, "quality", "factor on the predicted number of texels along an edge"));
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(

@@ -9,6 +9,8 @@ struct Kernel
   float along;     // half extent across the strips
   float lean;      // how far the end at +along leans
   float across;    // half extent of a strip
+  bool gaussian;   // weights exp(-2 w^2) over the light's window, else the same everywhere
+  vec4 window;     // what of the light's window the kernel stands for: middles, half sizes along, across
 };
 
 struct Strip
@@ -16,7 +18,22 @@ struct Strip
   float width;
   float low;
   float high;
+  bool gaussian;
+  float middle;
+  float windowMiddle; // in the window, and how much of it a texel is
+  float windowSlope;
 };
+
+// The integral of exp(-2 x^2) from 0 to x: the error function by Abramowitz and Stegun's 7.1.26, whose
+// error is below 1.5e-7.
+float gaussianIntegral(float x)
+{
+  float z = 1.41421356 * abs(x);
+  float t = 1.0 / (1.0 + 0.3275911 * z);
+  float series = ((((1.061405429 * t - 1.453152027) * t + 1.421413741) * t - 0.284496736) * t +
+                   0.254829592) * t;
+  return sign(x) * 0.626657069 * (1.0 - series * exp(-z * z));
+}
 
 // Variance (ss, st, tt) of half axes u and v.
 vec3 varianceOf(vec2 u, vec2 v)
@@ -31,8 +48,8 @@ vec3 convolve(vec2 lightHalfExtent, bool disk, vec3 footprint)
   return vec3(lightHalfExtent * lightHalfExtent, 0.0).xzy + share * footprint;
 }
 
-// Cholesky, along the longer side.
-Kernel kernelOf(vec3 variance, vec2 texelsPerUnit)
+// Cholesky, along the longer side. window: middle and half size in (s, t).
+Kernel kernelOf(vec3 variance, vec2 texelsPerUnit, bool gaussian, vec4 window)
 {
   vec3 scaled = variance * vec3(texelsPerUnit, 1.0).xxy * vec3(texelsPerUnit, 1.0).xyy;
   Kernel kernel;
@@ -41,12 +58,9 @@ Kernel kernelOf(vec3 variance, vec2 texelsPerUnit)
   kernel.along = max(sqrt(squares.x), leastHalfExtent);
   kernel.lean = scaled.y / kernel.along;
   kernel.across = max(sqrt(max(squares.y - kernel.lean * kernel.lean, 0.0)), leastHalfExtent);
+  kernel.gaussian = gaussian;
+  kernel.window = kernel.transposed ? window.yxwz : window;
   return kernel;
-}
-
-float kernelArea(Kernel kernel, bool disk)
-{
-  return (disk ? 3.14159265 : 4.0) * kernel.along * kernel.across;
 }
 
 // The integral of sqrt(1 - x^2) from 0 to x.
@@ -72,11 +86,28 @@ Strip stripOf(Kernel kernel, bool disk, vec2 center, float index)
   float slope = kernel.lean / kernel.along;
   float smeared = length(vec2(halfHeight, 0.5 * slope * width));
   float middle = center.y + slope * 0.5 * (from + to);
-  return Strip(width * halfHeight / max(smeared, 1e-20), middle - smeared, middle + smeared);
+  float weight = width;
+  if (kernel.gaussian && width > 0.0)
+  {
+    float perTexel = kernel.window.z / kernel.along;
+    weight = (gaussianIntegral(kernel.window.x + to * perTexel) -
+               gaussianIntegral(kernel.window.x + from * perTexel)) / perTexel;
+  }
+  float share = halfHeight / max(smeared, 1e-20);
+  return Strip(weight * share, middle - smeared, middle + smeared, kernel.gaussian, middle,
+    kernel.window.y, kernel.window.w * share / kernel.across);
 }
 
-// Length of the strip within the texel at this index.
+// Length of the strip within the texel at this index, weighted.
 float texelOverlap(Strip strip, float index)
 {
-  return max(min(strip.high, index + 1.0) - max(strip.low, index), 0.0);
+  float from = max(strip.low, index);
+  float to = min(strip.high, index + 1.0);
+  if (!strip.gaussian)
+  {
+    return max(to - from, 0.0);
+  }
+  return (gaussianIntegral(strip.windowMiddle + strip.windowSlope * (max(to, from) - strip.middle)) -
+           gaussianIntegral(strip.windowMiddle + strip.windowSlope * (from - strip.middle))) /
+    strip.windowSlope;
 }

@@ -6,7 +6,7 @@
 uniform sampler2DArray kernelShapes; // (variance, state)
 uniform sampler2DArray predictions;  // (s, t, texel sizes)
 uniform sampler2DArray sums;         // (V A, A, area under tiles)
-uniform int emitterDisk;
+uniform float windowArea; // weighted area of a kernel of half extents 1
 uniform float weight;
 uniform int part; // VIRTUAL_PART_...: which pixels are drawn
 uniform int debugView;
@@ -26,7 +26,7 @@ float areaBeyondMap(vec3 variance, vec2 st, float covered)
     return 0.0;
   }
   float determinant = max(variance.x * variance.z - variance.y * variance.y, 0.0);
-  float area = (emitterDisk == 1 ? 3.14159265 : 4.0) * sqrt(determinant);
+  float area = windowArea * sqrt(determinant);
   return max(area - covered, 0.0);
 }
 

@@ -16,6 +16,7 @@ uniform vec2 kernelScale;
 uniform float mapLayer;
 uniform int searchWidth;     // blocks along an edge of the search
 uniform int emitterDisk;
+uniform int kernelGaussian;
 uniform int usePyramid;      // to prove pixels lit and to narrow the search
 uniform int antialiasing;
 uniform vec4 texelPolynomial;
@@ -197,7 +198,15 @@ float shareInFront(MapPoint point)
 {
   vec2 a = abs(point.gradient * kernelScale);
   float facing = 1.0;
-  if (emitterDisk == 1)
+  if (kernelGaussian == 1)
+  {
+    // As if the normal distribution's cut had no corners: exact along the axes.
+    float distance = 1.0 / max(length(a), 1e-6);
+    float extent = emitterDisk == 1 ? 1.0 : (a.x + a.y) * distance;
+    facing = distance < extent
+      ? 0.5 + 0.5 * gaussianIntegral(distance) / gaussianIntegral(extent) : 1.0;
+  }
+  else if (emitterDisk == 1)
   {
     float edge = 1.0 / max(length(a), 1e-6);
     facing = edge < 1.0 ? 0.5 + chordIntegral(edge) / 1.57079633 : 1.0;

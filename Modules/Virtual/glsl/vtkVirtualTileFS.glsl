@@ -18,6 +18,8 @@ uniform sampler2DArray kernelShapes; // (variance, state)
 uniform sampler2DArray predictions;  // (s, t, texel sizes) on the whole map
 uniform vec4 tileWindow;  // low corner and extent of the tile in (s, t) of the whole map
 uniform int emitterDisk;
+uniform int kernelGaussian;
+uniform vec4 emitterWindow; // middle and half size of this emitter in the whole light's window
 uniform int antialiasing;
 uniform int debugView;
 uniform float debugShade; // of this tile, in (0, 1)
@@ -123,8 +125,10 @@ void main()
   bool disk = emitterDisk == 1;
   vec4 prediction = texelFetch(predictions, pixel, 0);
   vec2 texels = depthMapSize / tileWindow.zw;
-  vec2 stride = strideOf(prediction.zw * texels, kernelOf(shape.xyz, texels));
-  Kernel kernel = kernelOf(shape.xyz, texels / stride);
+  bool gaussian = kernelGaussian == 1;
+  vec2 stride =
+    strideOf(prediction.zw * texels, kernelOf(shape.xyz, texels, gaussian, emitterWindow));
+  Kernel kernel = kernelOf(shape.xyz, texels / stride, gaussian, emitterWindow);
   // Tiles have texels of their own size; areas must add up in one unit.
   vec2 margin =
     antialiasing == 1 ? reachOf(footprintOf(receiver, point)) : vec2(0.0);
