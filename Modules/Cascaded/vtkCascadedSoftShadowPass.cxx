@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCascadedSoftShadowPass.h"
 
+#include "vtkCascadedPoints.h"
 #include "vtkCascadedSoftShadowPassInternals.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -15,6 +16,8 @@
 #include "vtkSoftShadowsOpenGL.h"
 
 #include <algorithm>
+#include <numeric>
+#include <set>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkCascadedSoftShadowPass);
@@ -26,15 +29,21 @@ constexpr double FewPixels = 5e-4;
 
 // Cuts the fits to a cascade: points that see no caster in front of it need no map.
 vtkSoftShadowSamples Cut(const vtkSoftShadowSamples& fits,
-  const vtkShadowCascades::Cascade& cascade, int mapSize, int filterSize)
+  const vtkShadowCascades::Cascade& cascade, int mapSize, int filterSize, bool fitToView)
 {
   vtkSoftShadowSamples samples;
   samples.LitWeight = fits.LitWeight;
+  if (!cascade.Occupied)
+  {
+    samples.LitWeight = std::accumulate(fits.Weights.begin(), fits.Weights.end(), fits.LitWeight);
+    return samples;
+  }
   for (size_t i = 0; i < fits.Views.size(); ++i)
   {
     vtkShadowMapView view = fits.Views[i];
-    if (vtkShadowCascadeWindow::Cut(
-          cascade.Center, cascade.Radius, mapSize, filterSize / 2 + 1, view))
+    if (!fitToView ||
+      vtkShadowCascadeWindow::Cut(
+        cascade.Center, cascade.Radius, mapSize, filterSize / 2 + 1, view))
     {
       samples.Views.push_back(view);
       samples.Weights.push_back(fits.Weights[i]);
@@ -86,6 +95,31 @@ const vtkSoftShadowSamples& vtkCascadedSoftShadowPass::Internals::FitLevel(
   }
   return emitter.Fits[-level] = self->FitSamples(
            context, vtkShadowBorderGrid::Make(context.Emitter, level, self->Weights).Added);
+}
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::Internals::FindCascades(
+  vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, EmitterMaps& emitter)
+{
+  vtkShadowCascades::View view = vtkShadowCascades::View::Of(context.Renderer);
+  const auto add = [&view](const vtkSoftShadowSamples& fits)
+  { view.Points.insert(view.Points.end(), fits.Views.begin(), fits.Views.end()); };
+  if (self->Adaptive)
+  {
+    for (int level = 0; level <= self->MaximumLevel; ++level)
+    {
+      add(this->FitLevel(self, context, emitter, level));
+    }
+  }
+  else
+  {
+    const auto last = self->SampleEdges.begin() + self->NumberOfCascades;
+    const std::set<int> edges(self->SampleEdges.begin(), last);
+    std::for_each(edges.begin(), edges.end(),
+      [&](int edge) { add(this->FitGrid(self, context, emitter, edge)); });
+  }
+  this->Cascades = vtkShadowCascades::Find(
+    context.Casters->GetBodies(), view, self->NumberOfCascades, self->SplitLambda, self->BlendBand);
 }
 
 //------------------------------------------------------------------------------
@@ -178,9 +212,6 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
 {
   Internals& impl = *this->Impl;
   impl.Receivers = context.Receivers;
-  impl.Cascades = vtkShadowCascades::Find(context.Casters->GetBodies(),
-    vtkShadowCascades::View::Of(context.Renderer), this->NumberOfCascades, this->SplitLambda,
-    this->BlendBand);
   Internals::EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
   if (emitter.Emitter != context.Emitter || emitter.SettingsTime != this->GetMTime() ||
     emitter.BodiesTime != context.Casters->GetBodiesTime())
@@ -190,6 +221,7 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
     emitter.BodiesTime = context.Casters->GetBodiesTime();
     emitter.Fits.clear();
   }
+  impl.FindCascades(this, context, emitter);
   emitter.Maps.Begin(this->MapSize);
   std::vector<std::vector<size_t>> sets; // per cascade
   for (size_t i = 0; i < impl.Cascades.size(); ++i)
@@ -220,9 +252,8 @@ std::vector<size_t> vtkCascadedSoftShadowPass::AddSets(
   const auto add = [&](const vtkSoftShadowSamples& fits)
   {
     return emitter.Maps.Add(resolution, filterSize,
-      this->FitToView
-        ? Cut(fits, impl.Cascades[cascade], emitter.Maps.GetMapSize(resolution), filterSize)
-        : vtkSoftShadowSamples(fits));
+      Cut(fits, impl.Cascades[cascade], emitter.Maps.GetMapSize(resolution), filterSize,
+        this->FitToView));
   };
   if (!this->Adaptive)
   {
@@ -314,9 +345,14 @@ void vtkCascadedSoftShadowPass::Internals::DrawCascade(vtkCascadedSoftShadowPass
     program->SetUniformf("litWeight", litWeight);
     litWeight = 0.0f; // once
     self->SetReceiverUniforms(program, context);
-    vtkSoftShadowPass::SetSampleUniforms(program, context, set.Samples.Views.data() + run.First,
-      set.Samples.Weights.data() + run.First, run.Last - run.First, run.Layer,
-      maps.GetMapSize(set.Resolution), set.FilterSize);
+    program->SetUniformf("depthMapSize", static_cast<float>(maps.GetMapSize(set.Resolution)));
+    program->SetUniformf("firstLayer", static_cast<float>(run.Layer));
+    program->SetUniformi("filterSize", set.FilterSize);
+    program->SetUniformi("fixedFilter", self->Filter == FIXED ? 1 : 0);
+    vtkCascadedPoints(context.Emitter, context.Receivers->GetViewToWorld(),
+      set.Samples.Views.data() + run.First, set.Samples.Weights.data() + run.First,
+      run.Last - run.First)
+      .SetUniforms(program, 1.0 / self->SampleEdges[cascade]);
     vtkShadowTextureArray* texture = maps.GetMaps(set.Resolution)->GetTexture();
     program->SetUniformi("depthMaps", texture->Activate(context.Window));
     self->DrawFiltered(this->Shader);
@@ -460,6 +496,7 @@ void vtkCascadedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
        << "\n";
   }
   os << indent << "Pattern: " << patterns[this->Pattern] << "\n";
+  os << indent << "Filter: " << (this->Filter == CELL ? "cell" : "fixed") << "\n";
   os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
   os << indent << "FitToView: " << (this->FitToView ? "on" : "off") << "\n";
   os << indent << "Adaptive: " << (this->Adaptive ? "on" : "off") << "\n";

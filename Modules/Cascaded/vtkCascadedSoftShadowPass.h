@@ -114,6 +114,24 @@ public:
   int GetFilterSize(int cascade) const;
   ///@}
 
+  /// How wide the percentage-closer filter is.
+  enum FilterType
+  {
+    CELL = 0, ///< The penumbra of a point's cell of the light, at most FilterSize.
+    FIXED = 1 ///< FilterSize everywhere, as in the paper.
+  };
+
+  ///@{
+  /**
+   * How wide the percentage-closer filter is, a FilterType. CELL makes steps between the points
+   * vanish where the cell's penumbra is no wider than FilterSize, keeps contacts sharp and lets
+   * facets throw no shadow on their neighbours. FIXED blurs all alike. Ignored with Adaptive, whose
+   * filter is FIXED. Default is CELL.
+   */
+  vtkSetClampMacro(Filter, int, CELL, FIXED);
+  vtkGetMacro(Filter, int);
+  ///@}
+
   ///@{
   /**
    * How the points are spread; see vtkShadowLightSampling::PatternType. Default is GRID.
@@ -210,6 +228,7 @@ protected:
   std::array<int, MaximumNumberOfCascades> SampleEdges = { { 4, 3, 2, 2 } };
   std::array<int, MaximumNumberOfCascades> Resolutions = { { HIGH, MEDIUM, LOW, LOW } };
   std::array<int, MaximumNumberOfCascades> FilterSizes = { { 5, 3, 2, 2 } };
+  int Filter = CELL;
   int Pattern = vtkShadowLightSampling::GRID;
   int Weights = vtkShadowLightSampling::MEAN;
   bool Tint = false;

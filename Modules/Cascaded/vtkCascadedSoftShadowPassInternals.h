@@ -48,6 +48,10 @@ public:
   Refinement Refiner;
   vtkShadowReceivers* Receivers = nullptr; // the base class's
 
+  /// The cascades of an emitter, in which one of its points may see a shadow.
+  void FindCascades(
+    vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, EmitterMaps& emitter);
+
   const vtkSoftShadowSamples& FitGrid(vtkCascadedSoftShadowPass* self,
     const vtkSoftShadowContext& context, EmitterMaps& emitter, int k);
   const vtkSoftShadowSamples& FitLevel(vtkCascadedSoftShadowPass* self,

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -85,6 +86,27 @@ void FitSphere(const vtkShadowFrustumClip& frustum, Cascade& cascade)
   }
 }
 
+// What a point's map shows in or behind its casters: 0 <= s, t <= w and 0 <= d.
+vtkShadowFrustumClip::Region FindRegion(const vtkShadowMapView& view)
+{
+  const std::array<double, 16> m = view.WorldToMap();
+  vtkShadowFrustumClip::Region region;
+  for (int row = 0; row < 3; ++row)
+  {
+    region.push_back({ { m[4 * row], m[4 * row + 1], m[4 * row + 2], m[4 * row + 3] } });
+  }
+  for (int row = 0; row < 2; ++row)
+  {
+    std::array<double, 4> plane;
+    for (int i = 0; i < 4; ++i)
+    {
+      plane[i] = m[12 + i] - m[4 * row + i];
+    }
+    region.push_back(plane);
+  }
+  return region;
+}
+
 // The diagonal of the box around all bodies.
 double FindSize(const std::vector<vtkShadowCasters::Body>& bodies)
 {
@@ -157,7 +179,10 @@ std::vector<double> vtkShadowCascades::Split(
 std::vector<Interval> vtkShadowCascades::FindDepths(
   const std::vector<vtkShadowCasters::Body>& bodies, const View& view)
 {
-  const vtkShadowFrustumClip frustum(view.WorldToClip, view.WorldToDepth);
+  vtkShadowFrustumClip frustum(view.WorldToClip, view.WorldToDepth);
+  std::vector<vtkShadowFrustumClip::Region> regions;
+  std::transform(view.Points.begin(), view.Points.end(), std::back_inserter(regions), FindRegion);
+  frustum.SetRegions(regions);
   std::vector<Interval> depths;
   for (const vtkShadowCasters::Body& body : bodies)
   {
@@ -204,6 +229,11 @@ std::vector<Cascade> vtkShadowCascades::Find(const std::vector<vtkShadowCasters:
   {
     Cascade whole;
     whole.Covered = frustum.GetDepths();
+    View everywhere = view;
+    everywhere.Points.clear();
+    // Bodies may know less than what is drawn: without any in view, all of it counts.
+    whole.Occupied =
+      view.Points.empty() || vtkShadowCascades::FindDepths(bodies, everywhere).empty();
     cascades.push_back(whole);
   }
   else

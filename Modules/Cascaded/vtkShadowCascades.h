@@ -20,6 +20,7 @@
 
 #include "vtkRenderingSoftShadowsCascadedModule.h" // For export macro
 #include "vtkShadowCasters.h"                      // For the bodies
+#include "vtkShadowMapView.h"                      // For views
 #include "vtkSoftShadowsABI.h"                     // For the ABI namespace
 
 #include <array>   // For matrices
@@ -44,6 +45,8 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascades
     /// Centre and radius of the sphere around the covered part of the view, in world coordinates.
     std::array<double, 3> Center = { { 0.0, 0.0, 0.0 } };
     double Radius = 0.0;
+    /// False if nothing that can be seen lies behind a caster: it takes no maps.
+    bool Occupied = true;
   };
 
   /// What a camera sees: world to clip coordinates and world to view depth, row-major.
@@ -52,6 +55,9 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascades
     std::array<double, 16> WorldToClip;
     std::array<double, 4> WorldToDepth;
     bool Parallel = false;
+    /// Views of the points whose maps count: a flat receiver matters where one of them sees it behind
+    /// a caster. Empty: everywhere.
+    std::vector<vtkShadowMapView> Points;
 
     static View Of(vtkRenderer* renderer);
   };
@@ -62,7 +68,8 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascades
    */
   static std::vector<double> Split(double nearest, double farthest, int count, double lambda);
 
-  /// The depths at which each receiving body can be seen; bodies out of view are left out.
+  /// The depths at which each receiving body can be seen, and in shadow; bodies that cannot are left
+  /// out.
   static std::vector<Interval> FindDepths(
     const std::vector<vtkShadowCasters::Body>& bodies, const View& view);
 
@@ -71,7 +78,7 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascades
   static Interval Round(const std::vector<Interval>& depths, bool parallel, double unit);
 
   /**
-   * The occupied cascades, near to far: at most count, at least one. band is the part of the
+   * The occupied cascades, near to far: at most count, at least one, which may be empty. band is the part of the
    * shorter of two neighbouring splits over which they blend, in [0, 1]. Parallel views are split
    * uniformly, whatever lambda: all their depths are seen equally large.
    */

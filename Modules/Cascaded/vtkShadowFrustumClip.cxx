@@ -13,8 +13,8 @@ namespace
 {
 using Point = std::array<double, 3>;
 
-// Clip coordinates and view depth.
-using Vertex = std::array<double, 5>;
+// Clip coordinates, view depth and the place in the world.
+using Vertex = std::array<double, 8>;
 
 double Depth(const std::array<double, 4>& worldToDepth, const Point& p)
 {
@@ -27,15 +27,17 @@ double Inside(const Vertex& vertex, int plane)
   return vertex[3] + (plane % 2 == 0 ? 1.0 : -1.0) * vertex[plane / 2];
 }
 
-std::vector<Vertex> ClipToPlane(const std::vector<Vertex>& polygon, int plane)
+// The part of a convex polygon where inside(vertex) is not negative; inside must be linear.
+template <typename Function>
+std::vector<Vertex> Clip(const std::vector<Vertex>& polygon, Function inside)
 {
   std::vector<Vertex> clipped;
   for (size_t i = 0; i < polygon.size(); ++i)
   {
     const Vertex& a = polygon[i];
     const Vertex& b = polygon[(i + 1) % polygon.size()];
-    const double insideA = Inside(a, plane);
-    const double insideB = Inside(b, plane);
+    const double insideA = inside(a);
+    const double insideB = inside(b);
     if (insideA >= 0.0)
     {
       clipped.push_back(a);
@@ -105,8 +107,8 @@ Point vtkShadowFrustumClip::CornerAt(int edge, double depth) const
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowFrustumClip::AddPolygon(
-  const std::array<Point, 4>& corners, std::pair<double, double>& depths) const
+void vtkShadowFrustumClip::AddPolygon(const std::array<Point, 4>& corners, const Region& region,
+  std::pair<double, double>& depths) const
 {
   std::vector<Vertex> polygon;
   for (const Point& corner : corners)
@@ -115,11 +117,19 @@ void vtkShadowFrustumClip::AddPolygon(
     Vertex vertex;
     vtkMatrix4x4::MultiplyPoint(this->WorldToClip.data(), point, vertex.data());
     vertex[4] = Depth(this->WorldToDepth, corner);
+    std::copy(corner.begin(), corner.end(), vertex.begin() + 5);
     polygon.push_back(vertex);
   }
-  for (int plane = 0; plane < 6 && !polygon.empty(); ++plane)
+  for (int plane = 0; plane < 6; ++plane)
   {
-    polygon = ClipToPlane(polygon, plane);
+    polygon = Clip(polygon, [plane](const Vertex& vertex) { return Inside(vertex, plane); });
+  }
+  for (const std::array<double, 4>& plane : region)
+  {
+    polygon = Clip(polygon,
+      [&plane](const Vertex& vertex) {
+        return Depth(plane, { { vertex[5], vertex[6], vertex[7] } });
+      });
   }
   for (const Vertex& vertex : polygon)
   {
@@ -134,7 +144,14 @@ bool vtkShadowFrustumClip::FindDepths(
   depths = { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
   if (body.Flat)
   {
-    this->AddPolygon(body.Corners, depths);
+    for (const Region& region : this->Regions)
+    {
+      this->AddPolygon(body.Corners, region, depths);
+    }
+    if (this->Regions.empty())
+    {
+      this->AddPolygon(body.Corners, Region(), depths);
+    }
     return depths.first <= depths.second;
   }
   // The extreme points of the box within the frustum lie on its faces, or are the frustum's own.
@@ -153,7 +170,7 @@ bool vtkShadowFrustumClip::FindDepths(
         face[i][u] = bounds[2 * u + around[i][0]];
         face[i][v] = bounds[2 * v + around[i][1]];
       }
-      this->AddPolygon(face, depths);
+      this->AddPolygon(face, Region(), depths);
     }
   }
   for (int edge = 0; edge < 4; ++edge)

@@ -13,6 +13,7 @@
 
 #include <array>   // For matrices
 #include <utility> // For intervals
+#include <vector>  // For planes
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -23,7 +24,13 @@ public:
   vtkShadowFrustumClip(
     const std::array<double, 16>& worldToClip, const std::array<double, 4>& worldToDepth);
 
-  /// False if no part of the body is in the frustum.
+  /// A convex part of the world: where no plane . (x, y, z, 1) is negative.
+  using Region = std::vector<std::array<double, 4>>;
+
+  /// Restricts flat bodies to the union of these regions; other bodies count as a whole.
+  void SetRegions(const std::vector<Region>& regions) { this->Regions = regions; }
+
+  /// False if no part of the body is in the frustum, and, if it is flat, in one of the regions.
   bool FindDepths(const vtkShadowCasters::Body& body, std::pair<double, double>& depths) const;
 
   /// Depths of the near and the far plane.
@@ -33,14 +40,15 @@ public:
   std::array<double, 3> CornerAt(int edge, double depth) const;
 
 private:
-  void AddPolygon(
-    const std::array<std::array<double, 3>, 4>& corners, std::pair<double, double>& depths) const;
+  void AddPolygon(const std::array<std::array<double, 3>, 4>& corners, const Region& region,
+    std::pair<double, double>& depths) const;
 
   std::array<double, 16> WorldToClip;
   std::array<double, 4> WorldToDepth;
   /// Ends of the frustum's edges on the near and on the far plane, and their depths.
   std::array<std::array<std::array<double, 3>, 2>, 4> Edges;
   std::array<std::array<double, 2>, 4> EdgeDepths;
+  std::vector<Region> Regions;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -73,6 +73,9 @@ Technique MakeCascadedTechnique()
   {
     AddCascadeOptions(technique, i);
   }
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, Filter, "filter",
+    "as wide as the penumbra of a point's part of the light, or as filter_0 and so on",
+    { "cell", "fixed" }));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Pattern, "pattern", "how the points are spread", { "grid", "stratified", "hammersley" }));
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, Adaptive, "adaptive",

@@ -7,16 +7,198 @@
 #endif
 //VTK::Output::Dec
 
-// A cascade's part of the visibility: hard shadows from points of the light, weighted by how much
-// of the receiver's depth is the cascade's.
+// A cascade's part of the visibility, weighted by how much of the receiver's depth is the cascade's.
+//
+// Every point of the light stands for a cell around it. A blocker's edge, as its map shows it, is
+// blurred as the cell itself would blur it: over a box that is the image of the cell at the depth of
+// the blockers. Cells side by side are the light, so the mean over all has no steps.
 
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
-//SoftShadows::Include vtkShadowSamples
 
 uniform vec2 fadeIn;     // depths over which the cascade's weight rises
 uniform vec2 fadeOut;    // and falls
 uniform float litWeight; // of the points that see everything
+
+// The points' maps are affine images of one of them, the base: a row for each of s, t and d.
+uniform mat4 viewToBase;
+uniform vec4 baseToMaps[3 * SOFT_SHADOW_SAMPLES_PER_DRAW];
+// The matrix' cofactors, which planes are multiplied by. Last column: the point's weight, and on
+// which side of the light's middle it lies, along both axes.
+uniform vec4 planesToMaps[3 * SOFT_SHADOW_SAMPLES_PER_DRAW];
+uniform int sampleCount;
+uniform float firstLayer;
+uniform int filterSize;  // of the widest box, in texels
+uniform vec2 cellScale;  // half a cell's image in the base, per unit of depth between blocker and receiver
+uniform int fixedFilter; // 1: the box is always filterSize wide
+
+// A point's map: where the receiver lies in it, and half a cell's image per unit of depth.
+struct Sample
+{
+  MapPoint point;
+  vec2 cell;
+  float layer;
+};
+
+Sample toSample(MapFrame base, int i)
+{
+  vec4 rows[3] = vec4[3](baseToMaps[3 * i], baseToMaps[3 * i + 1], baseToMaps[3 * i + 2]);
+  MapFrame frame = base;
+  vec4 std = vec4(base.std, 1.0);
+  frame.std = vec3(dot(rows[0], std), dot(rows[1], std), dot(rows[2], std));
+  frame.normal = vec3(dot(planesToMaps[3 * i].xyz, base.normal),
+    dot(planesToMaps[3 * i + 1].xyz, base.normal), dot(planesToMaps[3 * i + 2].xyz, base.normal));
+  Sample result;
+  result.point = toPoint(frame);
+  result.cell = cellScale * abs(vec2(rows[0].x, rows[1].y) / rows[2].z);
+  result.layer = firstLayer + float(i);
+  return result;
+}
+
+// The depths of the four texels around a corner of texels: upper left, upper right, lower right,
+// lower left, as textureGather returns them. Empty ones are infinitely far.
+vec4 depthsAround(vec2 corner, float layer)
+{
+  vec2 st = corner / depthMapSize;
+#ifdef SOFT_SHADOW_GATHER
+  vec4 depths = textureGather(depthMaps, vec3(st, layer));
+#else
+  vec2 half2 = vec2(0.5, -0.5) / depthMapSize;
+  vec4 depths = vec4(textureLod(depthMaps, vec3(st + half2.yx, layer), 0.0).r,
+    textureLod(depthMaps, vec3(st + half2.xx, layer), 0.0).r,
+    textureLod(depthMaps, vec3(st + half2.xy, layer), 0.0).r,
+    textureLod(depthMaps, vec3(st + half2.yy, layer), 0.0).r);
+#endif
+  return mix(vec4(infinitelyFar), depths, lessThan(depths, vec4(emptyDepth)));
+}
+
+// Which of four texels block part of the cell: nearer to the light than the receiver's plane, and
+// no farther aside than the cell's image at their depth, or under the receiver itself. Facets and
+// steps near the receiver hide none of the cell, however far the box reaches over them.
+vec4 blockersAround(Sample at, vec2 corner, vec4 depths)
+{
+  MapPoint point = at.point;
+  float texel = 1.0 / depthMapSize;
+  vec2 reach = 0.5 * texel * point.gradient;
+  vec4 planes = planeDepth(point, corner * texel) - point.bias +
+    vec4(reach.y - reach.x, reach.y + reach.x, reach.x - reach.y, -reach.x - reach.y);
+  vec4 nearer = vec4(lessThan(depths, min(planes, vec4(point.std.z))));
+  vec2 aside = corner - point.std.xy * depthMapSize;
+  vec4 asideS = abs(aside.x + vec4(-0.5, 0.5, 0.5, -0.5)) - 0.5;
+  vec4 asideT = abs(aside.y + vec4(0.5, 0.5, -0.5, -0.5)) - 0.5;
+  vec4 heights = depthMapSize * (point.std.z - depths);
+  vec4 inCell = vec4(lessThanEqual(asideS, at.cell.x * heights)) *
+    vec4(lessThanEqual(asideT, at.cell.y * heights));
+  return fixedFilter == 1 ? nearer : nearer * inCell;
+}
+
+// How much of the texels lies between low and high, along one axis.
+vec2 overlap(float texel, float low, float high)
+{
+  return clamp(min(vec2(texel + 1.0, texel + 2.0), high) - max(vec2(texel, texel + 1.0), low), 0.0, 1.0);
+}
+
+// Whether a map's texel blocks the receiver's ray to the light through st.
+bool isHidden(MapPoint point, vec2 st, float layer, out float depth)
+{
+  depth = mapDepth(st, layer);
+  return isBlocker(point, st, depth);
+}
+
+// The share of a point's cell that is seen.
+float cellVisibility(Sample at)
+{
+  if (filterSize == 1)
+  {
+    float depth;
+    return isHidden(at.point, at.point.std.xy, at.layer, depth) ? 0.0 : 1.0;
+  }
+  vec2 center = at.point.std.xy * depthMapSize;
+  vec2 low = center - 0.5 * float(filterSize);
+  vec2 texel = floor(low);
+  int last = filterSize - 1 + int(any(greaterThan(low, texel)));
+  float blockers = 0.0;
+  float heights = 0.0;
+  for (int y = 0; y <= last; y += 2)
+  {
+    for (int x = 0; x <= last; x += 2)
+    {
+      vec2 corner = texel + vec2(x, y) + 1.0;
+      vec4 depths = depthsAround(corner, at.layer);
+      vec4 blocking = blockersAround(at, corner, depths);
+      blockers += dot(blocking, vec4(1.0));
+      heights += dot(blocking, at.point.std.z - min(depths, vec4(at.point.std.z)));
+    }
+  }
+  if (blockers == 0.0)
+  {
+    return 1.0;
+  }
+  vec2 width = 2.0 * depthMapSize * at.cell * heights / blockers;
+  width = fixedFilter == 1 ? vec2(filterSize) : clamp(width, 1.0, float(filterSize));
+  low = center - 0.5 * width;
+  vec2 high = center + 0.5 * width;
+  texel = floor(low);
+  vec2 end = ceil(high);
+  float blocked = 0.0;
+  for (float y = texel.y; y < end.y; y += 2.0)
+  {
+    vec2 rows = overlap(y, low.y, high.y);
+    for (float x = texel.x; x < end.x; x += 2.0)
+    {
+      vec2 columns = overlap(x, low.x, high.x);
+      vec2 corner = vec2(x, y) + 1.0;
+      vec4 blocking = blockersAround(at, corner, depthsAround(corner, at.layer));
+      blocked += dot(blocking, vec4(columns * rows.y, columns.yx * rows.x));
+    }
+  }
+  return 1.0 - blocked / (width.x * width.y);
+}
+
+// Whether all points are hidden, and so are the outer corners of their cells, behind the blockers
+// that hide the points themselves.
+bool isUmbra(MapFrame base)
+{
+  for (int i = 0; i < sampleCount; ++i)
+  {
+    Sample at = toSample(base, i);
+    float depth;
+    if (!at.point.facesCenter)
+    {
+      continue;
+    }
+    if (!isHidden(at.point, at.point.std.xy, at.layer, depth))
+    {
+      return false;
+    }
+    vec2 side = vec2(planesToMaps[3 * i + 1].w, planesToMaps[3 * i + 2].w);
+    vec2 outer = at.point.std.xy + side * at.cell * (at.point.std.z - depth);
+    if (!isHidden(at.point, outer, at.layer, depth))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+float cellsVisibility(MapFrame base)
+{
+  if (fixedFilter == 0 && sampleCount > 3 && isUmbra(base))
+  {
+    return 0.0;
+  }
+  float visibility = 0.0;
+  for (int i = 0; i < sampleCount; ++i)
+  {
+    Sample at = toSample(base, i);
+    // A plane that the camera sees from behind is its own blocker, within the bias of the map.
+    if (at.point.facesCenter)
+    {
+      visibility += planesToMaps[3 * i].w * cellVisibility(at);
+    }
+  }
+  return visibility;
+}
 
 void main()
 {
@@ -27,7 +209,12 @@ void main()
   float visibility = 0.0;
   if (share > 0.0)
   {
-    visibility = share * (litWeight + sampledVisibility(receiver));
+    visibility = litWeight;
+    if (sampleCount > 0)
+    {
+      visibility += cellsVisibility(toFrame(viewToBase, receiver.positionVs, receiver.normalVs));
+    }
+    visibility *= share;
   }
   gl_FragData[0] = vec4(visibility);
 }

@@ -23,46 +23,67 @@ const float vertexSnapping = 0.004;
 // How far a surface bends towards the light within a texel, in texels.
 const float surfaceBend = 0.3;
 
-MapPoint toMap(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
+// What of a receiver is the same for all maps that are affine images of each other.
+struct MapFrame
 {
-  MapPoint point;
+  vec3 std;
+  vec3 normal;   // cross product of two tangents of the receiver's plane
+  vec3 rounding; // of std
+  float least;   // below this normal.z is noise
+  float bend;    // times 1 / normal.z: how far the surface bends towards the light
+};
+
+MapFrame toFrame(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
+{
+  MapFrame frame;
   vec4 homogeneous = viewToMap * vec4(positionVs, 1.0);
   float w = homogeneous.w;
-  point.std = homogeneous.xyz / w;
+  frame.std = homogeneous.xyz / w;
 
-  // The slope, from two tangents: differentials have no cancellation, absolute positions would.
+  // The plane, from two tangents: differentials have no cancellation, absolute positions would.
   vec3 axis = abs(normalVs.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
   vec3 tangent1 = normalize(cross(normalVs, axis));
   vec3 tangent2 = cross(normalVs, tangent1);
   vec4 h1 = viewToMap * vec4(tangent1, 0.0);
   vec4 h2 = viewToMap * vec4(tangent2, 0.0);
-  vec3 d1 = (h1.xyz - point.std * h1.w) / w;
-  vec3 d2 = (h2.xyz - point.std * h2.w) / w;
-  float determinant = d1.x * d2.y - d2.x * d1.y;
-  point.facesCenter = determinant > 0.0;
-  // Edge-on planes have no slope; below this one the numbers are noise.
-  float least = 1e-5 * length(d1) * length(d2);
-  determinant = abs(determinant) < least ? (determinant < 0.0 ? -least : least) : determinant;
-  point.gradient =
-    vec2(d1.z * d2.y - d2.z * d1.y, d2.z * d1.x - d1.z * d2.x) / max(abs(determinant), 1e-37) *
-    sign(determinant);
+  vec3 d1 = (h1.xyz - frame.std * h1.w) / w;
+  vec3 d2 = (h2.xyz - frame.std * h2.w) / w;
+  frame.normal = cross(d1, d2);
+  // Edge-on planes have no slope.
+  frame.least = max(1e-5 * length(d1) * length(d2), 1e-37);
 
   // Rounding of (s, t, d): each is a sum of products of the matrix and the position, over w.
   vec4 magnitude = vec4(abs(positionVs), 1.0);
   mat4 absolute = mat4(abs(viewToMap[0]), abs(viewToMap[1]), abs(viewToMap[2]), abs(viewToMap[3]));
   vec4 sums = absolute * magnitude;
-  vec3 rounding = positionRounding * (sums.xyz + abs(point.std) * sums.w) / abs(w);
+  frame.rounding = positionRounding * (sums.xyz + abs(frame.std) * sums.w) / abs(w);
   // The rasteriser snaps vertices to a fraction of a texel.
-  rounding.xy += vertexSnapping / depthMapSize;
+  frame.rounding.xy += vertexSnapping / depthMapSize;
 
   // Taps compare at texel centres, where a plane's own depth is exact. Within a texel a mesh may bend
   // towards the light by a part of the texel's width, along the normal.
   vec4 hn = viewToMap * vec4(normalVs, 0.0);
-  vec3 dn = (hn.xyz - point.std * hn.w) / w;
+  vec3 dn = (hn.xyz - frame.std * hn.w) / w;
   float texelsPerLength = depthMapSize * max(length(d1.xy), length(d2.xy));
-  float bend = surfaceBend / texelsPerLength * abs(dn.z - dot(point.gradient, dn.xy));
-  point.bias = depthRounding + rounding.z + dot(abs(point.gradient), rounding.xy) + bend;
+  frame.bend = surfaceBend / texelsPerLength * abs(dot(frame.normal, dn));
+  return frame;
+}
+
+MapPoint toPoint(MapFrame frame)
+{
+  MapPoint point;
+  point.std = frame.std;
+  point.facesCenter = frame.normal.z > 0.0;
+  float slope = 1.0 / max(abs(frame.normal.z), frame.least);
+  point.gradient = (point.facesCenter ? -slope : slope) * frame.normal.xy;
+  point.bias = depthRounding + frame.rounding.z + dot(abs(point.gradient), frame.rounding.xy) +
+    slope * frame.bend;
   return point;
+}
+
+MapPoint toMap(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
+{
+  return toPoint(toFrame(viewToMap, positionVs, normalVs));
 }
 
 // The depth of the receiver's plane.
