@@ -82,44 +82,35 @@ vtkCascadedPoints::vtkCascadedPoints(const vtkShadowEmitter& emitter,
 void vtkCascadedPoints::AddPoint(const double baseToMap[16], float weight,
   const vtkShadowEmitter& light, const vtkShadowEmitter& point)
 {
-  const double* m = baseToMap;
   for (int row = 0; row < 3; ++row)
   {
     Row affine;
-    Row plane;
-    // The cofactors of a row are the cross product of the next two.
-    const double* next = m + 4 * ((row + 1) % 3);
-    const double* other = m + 4 * ((row + 2) % 3);
-    double cofactors[3];
-    vtkMath::Cross(next, other, cofactors);
     for (int column = 0; column < 4; ++column)
     {
-      affine[column] = static_cast<float>(m[4 * row + column] / m[15]);
+      affine[column] = static_cast<float>(baseToMap[4 * row + column] / baseToMap[15]);
     }
-    for (int column = 0; column < 3; ++column)
-    {
-      plane[column] = static_cast<float>(cofactors[column] / (m[15] * m[15]));
-    }
-    plane[3] = row == 0 ? weight : FindSide(FindOffset(light, point, row - 1));
     this->Rows.push_back(affine);
-    this->PlaneRows.push_back(plane);
   }
+  this->Points.push_back({ { weight, FindSide(FindOffset(light, point, 0)),
+    FindSide(FindOffset(light, point, 1)), 0.0f } });
+  this->Weight += weight;
 }
 
 //------------------------------------------------------------------------------
 void vtkCascadedPoints::SetUniforms(vtkShaderProgram* program, double cellEdge) const
 {
-  const auto count = static_cast<int>(this->Rows.size());
-  program->SetUniformi("sampleCount", count / 3);
+  const auto count = static_cast<int>(this->Points.size());
+  program->SetUniformi("sampleCount", count);
   if (count == 0)
   {
     return;
   }
+  program->SetUniformf("totalWeight", this->Weight);
   const float scale[2] = { static_cast<float>(cellEdge * this->CellScale[0]),
     static_cast<float>(cellEdge * this->CellScale[1]) };
   program->SetUniform2f("cellScale", scale);
   program->SetUniformMatrix4x4("viewToBase", const_cast<float*>(this->ViewToBase.data()));
-  program->SetUniform4fv("baseToMaps", count, this->Rows.front().data());
-  program->SetUniform4fv("planesToMaps", count, this->PlaneRows.front().data());
+  program->SetUniform4fv("baseToMaps", 3 * count, this->Rows.front().data());
+  program->SetUniform4fv("points", count, this->Points.front().data());
 }
 VTK_ABI_NAMESPACE_END

@@ -6,8 +6,7 @@
  *
  * Points of one light lie in a plane and look at right angles to it, or are directions: their map
  * coordinates are affine images of each other. So a receiver is brought into one map, the base, and
- * from there into the others with a matrix of three rows each, its plane with that matrix'
- * cofactors.
+ * from there into the others with a matrix of three rows each.
  */
 
 #ifndef vtkCascadedPoints_h
@@ -39,12 +38,13 @@ public:
   /// Three per point: from (s, t, d, 1) of the base to those of the point.
   const std::vector<Row>& GetRows() const { return this->Rows; }
 
-  /// Three per point: cofactors, for normals of planes; then weight and sides of the middle.
-  const std::vector<Row>& GetPlaneRows() const { return this->PlaneRows; }
+  /// Per point: its weight, and on which side of the light's middle it lies (-1, 0, 1) along U and V.
+  const std::vector<Row>& GetPoints() const { return this->Points; }
 
 private:
   std::vector<Row> Rows;
-  std::vector<Row> PlaneRows;
+  std::vector<Row> Points;
+  float Weight = 0.0f;
   std::array<float, 16> ViewToBase = { {} };
   std::array<double, 2> CellScale = { {} };
 

@@ -56,6 +56,12 @@ public:
     vtkCascadedSoftShadowMaps& maps, const std::vector<size_t>& sets,
     const vtkShadowCascades::Cascade& cascade, Plan& plan);
 
+  /// Of the shader that looks at the maps.
+  void SetDefinitions(const vtkShadowShader::Definitions& definitions)
+  {
+    this->RefineShader.SetDefinitions(definitions);
+  }
+
   vtkTypeInt64 GetBytes() const;
   int GetNumberOfBuilds() const;
   void ReleaseGraphicsResources(vtkWindow* window);

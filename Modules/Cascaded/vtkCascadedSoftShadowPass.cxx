@@ -212,6 +212,13 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
 {
   Internals& impl = *this->Impl;
   impl.Receivers = context.Receivers;
+  vtkShadowShader::Definitions definitions;
+  if (!this->Gather)
+  {
+    definitions.emplace_back("SOFT_SHADOW_NO_GATHER", "1");
+  }
+  impl.Shader.SetDefinitions(definitions);
+  impl.Refiner.SetDefinitions(definitions);
   Internals::EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
   if (emitter.Emitter != context.Emitter || emitter.SettingsTime != this->GetMTime() ||
     emitter.BodiesTime != context.Casters->GetBodiesTime())
@@ -502,6 +509,7 @@ void vtkCascadedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Adaptive: " << (this->Adaptive ? "on" : "off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "Gather: " << (this->Gather ? "on" : "off") << "\n";
   os << indent << "Tint: " << (this->Tint ? "on" : "off") << "\n";
 }
 VTK_ABI_NAMESPACE_END

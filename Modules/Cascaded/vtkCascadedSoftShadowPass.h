@@ -190,6 +190,16 @@ public:
 
   ///@{
   /**
+   * Read four texels at a time where OpenGL can. Off is what OpenGL 3.2 without
+   * GL_ARB_texture_gather does: the same visibility, more slowly. Default is on.
+   */
+  vtkSetMacro(Gather, bool);
+  vtkGetMacro(Gather, bool);
+  vtkBooleanMacro(Gather, bool);
+  ///@}
+
+  ///@{
+  /**
    * Tints the picture by cascade, for debugging: red, green, blue, yellow, near to far. Default is
    * off.
    */
@@ -215,6 +225,8 @@ protected:
   bool NeedsEmitterMap() const override { return false; }
   /// A map of the whole light is coarser than the cascades': what it proves is not their truth.
   int GetProof() const override { return PROVES_LIT; }
+  /// It serves the proofs alone, and half the edge proves nearly as much.
+  int GetEmitterMapSize() const override { return this->MapSize > 64 ? this->MapSize / 2 : 32; }
   bool NeedsConservativeMaps() const override { return true; }
   bool WantsVisibilityAnew() override;
   bool HasGaussianWeights() const override;
@@ -231,6 +243,7 @@ protected:
   int Filter = CELL;
   int Pattern = vtkShadowLightSampling::GRID;
   int Weights = vtkShadowLightSampling::MEAN;
+  bool Gather = true;
   bool Tint = false;
   bool Adaptive = false;
   double Tolerance = 0.125;

@@ -23,10 +23,10 @@ uniform float litWeight; // of the points that see everything
 // The points' maps are affine images of one of them, the base: a row for each of s, t and d.
 uniform mat4 viewToBase;
 uniform vec4 baseToMaps[3 * SOFT_SHADOW_SAMPLES_PER_DRAW];
-// The matrix' cofactors, which planes are multiplied by. Last column: the point's weight, and on
-// which side of the light's middle it lies, along both axes.
-uniform vec4 planesToMaps[3 * SOFT_SHADOW_SAMPLES_PER_DRAW];
+// x: the point's weight; yz: on which side of the light's middle it lies, along both axes.
+uniform vec4 points[SOFT_SHADOW_SAMPLES_PER_DRAW];
 uniform int sampleCount;
+uniform float totalWeight; // of these points
 uniform float firstLayer;
 uniform int filterSize;  // of the widest box, in texels
 uniform vec2 cellScale;  // half a cell's image in the base, per unit of depth between blocker and receiver
@@ -46,8 +46,10 @@ Sample toSample(MapFrame base, int i)
   MapFrame frame = base;
   vec4 std = vec4(base.std, 1.0);
   frame.std = vec3(dot(rows[0], std), dot(rows[1], std), dot(rows[2], std));
-  frame.normal = vec3(dot(planesToMaps[3 * i].xyz, base.normal),
-    dot(planesToMaps[3 * i + 1].xyz, base.normal), dot(planesToMaps[3 * i + 2].xyz, base.normal));
+  // Planes are multiplied by the matrix' cofactors.
+  frame.normal = vec3(dot(cross(rows[1].xyz, rows[2].xyz), base.normal),
+    dot(cross(rows[2].xyz, rows[0].xyz), base.normal),
+    dot(cross(rows[0].xyz, rows[1].xyz), base.normal));
   Sample result;
   result.point = toPoint(frame);
   result.cell = cellScale * abs(vec2(rows[0].x, rows[1].y) / rows[2].z);
@@ -105,6 +107,13 @@ bool isHidden(MapPoint point, vec2 st, float layer, out float depth)
   return isBlocker(point, st, depth);
 }
 
+// Half the widest box, in texels: no blocker lies in front of the near plane.
+vec2 reachOf(Sample at)
+{
+  vec2 image = depthMapSize * at.cell * max(at.point.std.z, 0.0);
+  return fixedFilter == 1 ? vec2(0.5 * float(filterSize)) : clamp(image, 0.5, 0.5 * float(filterSize));
+}
+
 // The share of a point's cell that is seen.
 float cellVisibility(Sample at)
 {
@@ -114,16 +123,17 @@ float cellVisibility(Sample at)
     return isHidden(at.point, at.point.std.xy, at.layer, depth) ? 0.0 : 1.0;
   }
   vec2 center = at.point.std.xy * depthMapSize;
-  vec2 low = center - 0.5 * float(filterSize);
+  vec2 reach = reachOf(at);
+  vec2 low = center - reach;
   vec2 texel = floor(low);
-  int last = filterSize - 1 + int(any(greaterThan(low, texel)));
+  vec2 end = ceil(center + reach);
   float blockers = 0.0;
   float heights = 0.0;
-  for (int y = 0; y <= last; y += 2)
+  for (float y = texel.y; y < end.y; y += 2.0)
   {
-    for (int x = 0; x <= last; x += 2)
+    for (float x = texel.x; x < end.x; x += 2.0)
     {
-      vec2 corner = texel + vec2(x, y) + 1.0;
+      vec2 corner = vec2(x, y) + 1.0;
       vec4 depths = depthsAround(corner, at.layer);
       vec4 blocking = blockersAround(at, corner, depths);
       blockers += dot(blocking, vec4(1.0));
@@ -139,7 +149,7 @@ float cellVisibility(Sample at)
   low = center - 0.5 * width;
   vec2 high = center + 0.5 * width;
   texel = floor(low);
-  vec2 end = ceil(high);
+  end = ceil(high);
   float blocked = 0.0;
   for (float y = texel.y; y < end.y; y += 2.0)
   {
@@ -155,37 +165,44 @@ float cellVisibility(Sample at)
   return 1.0 - blocked / (width.x * width.y);
 }
 
-// Whether all points are hidden, and so are the outer corners of their cells, behind the blockers
-// that hide the points themselves.
-bool isUmbra(MapFrame base)
+// 1: lit, 0: umbra, -1: neither is certain. Looks at the points themselves, and at the outer corners of
+// their cells: behind the blockers that hide the points, or as far aside as the box reaches.
+float classify(MapFrame base)
 {
+  bool anyLit = false;
+  bool anyHidden = false;
   for (int i = 0; i < sampleCount; ++i)
   {
     Sample at = toSample(base, i);
-    float depth;
     if (!at.point.facesCenter)
     {
+      anyHidden = true;
       continue;
     }
-    if (!isHidden(at.point, at.point.std.xy, at.layer, depth))
+    float depth;
+    bool hidden = isHidden(at.point, at.point.std.xy, at.layer, depth);
+    vec2 side = points[i].yz;
+    vec2 reach = hidden ? at.cell * (at.point.std.z - depth) : reachOf(at) / depthMapSize;
+    bool outerHidden = isHidden(at.point, at.point.std.xy + side * reach, at.layer, depth);
+    anyLit = anyLit || !hidden || !outerHidden;
+    anyHidden = anyHidden || hidden || outerHidden;
+    if (anyLit && anyHidden)
     {
-      return false;
-    }
-    vec2 side = vec2(planesToMaps[3 * i + 1].w, planesToMaps[3 * i + 2].w);
-    vec2 outer = at.point.std.xy + side * at.cell * (at.point.std.z - depth);
-    if (!isHidden(at.point, outer, at.layer, depth))
-    {
-      return false;
+      return -1.0;
     }
   }
-  return true;
+  return anyLit ? 1.0 : 0.0;
 }
 
 float cellsVisibility(MapFrame base)
 {
-  if (fixedFilter == 0 && sampleCount > 3 && isUmbra(base))
+  if (fixedFilter == 0 && sampleCount > 3)
   {
-    return 0.0;
+    float known = classify(base);
+    if (known >= 0.0)
+    {
+      return known * totalWeight;
+    }
   }
   float visibility = 0.0;
   for (int i = 0; i < sampleCount; ++i)
@@ -194,7 +211,7 @@ float cellsVisibility(MapFrame base)
     // A plane that the camera sees from behind is its own blocker, within the bias of the map.
     if (at.point.facesCenter)
     {
-      visibility += planesToMaps[3 * i].w * cellVisibility(at);
+      visibility += points[i].x * cellVisibility(at);
     }
   }
   return visibility;

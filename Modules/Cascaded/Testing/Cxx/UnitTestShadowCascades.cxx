@@ -122,6 +122,36 @@ TEST(ShadowCascades, ReceiversInOneCascadeCostOneCascade)
   EXPECT_GE(cascades[0].Covered.second, 10.0);
 }
 
+// Of a ground only what a point of the light sees behind the casters counts; of other bodies all.
+TEST(ShadowCascades, FlatReceiversCountWhereAShadowCanFall)
+{
+  auto view = ViewOf(MakeCamera());
+  vtkShadowMapView point;
+  point.Emitter.Directional = true;
+  point.Emitter.Direction = { { 0.0, 0.0, -1.0 } };
+  point.Emitter.AxisU = { { 0.0, 1.0, 0.0 } };
+  point.Emitter.AxisV = { { 1.0, 0.0, 0.0 } };
+  point.Window = { { 20.0, 30.0, -5.0, 5.0 } };
+  point.Near = -1.0;
+  point.Far = 10.0;
+  view.Points = { point };
+  const Body ground = MakeGround(-2.0, -500.0, 1000.0);
+  auto depths = vtkShadowCascades::FindDepths({ ground }, view);
+  ASSERT_EQ(depths.size(), 1u);
+  EXPECT_NEAR(depths[0].first, 20.0, 1e-3);
+  EXPECT_NEAR(depths[0].second, 30.0, 1e-3);
+  // A second point that sees the shadow elsewhere widens the range.
+  point.Window = { { 40.0, 50.0, -5.0, 5.0 } };
+  view.Points.push_back(point);
+  depths = vtkShadowCascades::FindDepths({ ground }, view);
+  EXPECT_NEAR(depths[0].second, 50.0, 1e-3);
+  // Above the nearest caster nothing falls.
+  view.Points[0].Near = view.Points[1].Near = 3.0;
+  EXPECT_TRUE(vtkShadowCascades::FindDepths({ ground }, view).empty());
+  EXPECT_FALSE(vtkShadowCascades::Find({ ground }, view, 3, 0.5, 0.2).front().Occupied);
+  EXPECT_EQ(vtkShadowCascades::FindDepths({ MakeWall(10.0) }, view).size(), 1u);
+}
+
 TEST(ShadowCascades, AGapBetweenReceiversIsNoCascade)
 {
   const auto cascades =
