@@ -356,6 +356,7 @@ void vtkCascadedSoftShadowPass::Internals::DrawCascade(vtkCascadedSoftShadowPass
     program->SetUniformf("firstLayer", static_cast<float>(run.Layer));
     program->SetUniformi("filterSize", set.FilterSize);
     program->SetUniformi("fixedFilter", self->Filter == FIXED ? 1 : 0);
+    program->SetUniformi("wideFilter", self->Filter == WIDE ? 1 : 0);
     vtkCascadedPoints(context.Emitter, context.Receivers->GetViewToWorld(),
       set.Samples.Views.data() + run.First, set.Samples.Weights.data() + run.First,
       run.Last - run.First)
@@ -492,6 +493,7 @@ void vtkCascadedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const char* const patterns[] = { "grid", "stratified", "hammersley" };
+  const char* const filters[] = { "cell", "fixed", "wide" };
   const char* const resolutions[] = { "high", "medium", "low" };
   os << indent << "NumberOfCascades: " << this->NumberOfCascades << "\n";
   os << indent << "SplitLambda: " << this->SplitLambda << "\n";
@@ -503,7 +505,7 @@ void vtkCascadedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
        << "\n";
   }
   os << indent << "Pattern: " << patterns[this->Pattern] << "\n";
-  os << indent << "Filter: " << (this->Filter == CELL ? "cell" : "fixed") << "\n";
+  os << indent << "Filter: " << filters[this->Filter] << "\n";
   os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
   os << indent << "FitToView: " << (this->FitToView ? "on" : "off") << "\n";
   os << indent << "Adaptive: " << (this->Adaptive ? "on" : "off") << "\n";

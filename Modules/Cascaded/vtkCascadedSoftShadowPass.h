@@ -117,18 +117,20 @@ public:
   /// How wide the percentage-closer filter is.
   enum FilterType
   {
-    CELL = 0, ///< The penumbra of a point's cell of the light, at most FilterSize.
-    FIXED = 1 ///< FilterSize everywhere, as in the paper.
+    CELL = 0,  ///< The penumbra of a point's cell of the light, at most FilterSize texels.
+    FIXED = 1, ///< FilterSize texels everywhere, as in the paper.
+    WIDE = 2   ///< The penumbra of a cell, however wide, with FilterSize taps along an edge.
   };
 
   ///@{
   /**
-   * How wide the percentage-closer filter is, a FilterType. CELL makes steps between the points
-   * vanish where the cell's penumbra is no wider than FilterSize, keeps contacts sharp and lets
-   * facets throw no shadow on their neighbours. FIXED blurs all alike. Ignored with Adaptive, whose
-   * filter is FIXED. Default is CELL.
+   * How wide the percentage-closer filter is, a FilterType. CELL makes the steps between the points
+   * vanish where a cell's penumbra is no wider than FilterSize texels, keeps contacts sharp and lets
+   * facets throw no lines on their neighbours. WIDE has no limit and so the least banding, but misses
+   * blockers smaller than its taps' distance. FIXED blurs all alike. Adaptive sampling ignores it and
+   * is FIXED. Default is CELL.
    */
-  vtkSetClampMacro(Filter, int, CELL, FIXED);
+  vtkSetClampMacro(Filter, int, CELL, WIDE);
   vtkGetMacro(Filter, int);
   ///@}
 
@@ -225,7 +227,7 @@ protected:
   bool NeedsEmitterMap() const override { return false; }
   /// A map of the whole light is coarser than the cascades': what it proves is not their truth.
   int GetProof() const override { return PROVES_LIT; }
-  /// It serves the proofs alone, and half the edge proves nearly as much.
+  /// It serves the proofs alone, and half the edge proves as much.
   int GetEmitterMapSize() const override { return this->MapSize > 64 ? this->MapSize / 2 : 32; }
   bool NeedsConservativeMaps() const override { return true; }
   bool WantsVisibilityAnew() override;

@@ -74,8 +74,10 @@ Technique MakeCascadedTechnique()
     AddCascadeOptions(technique, i);
   }
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, Filter, "filter",
-    "as wide as the penumbra of a point's part of the light, or as filter_0 and so on",
-    { "cell", "fixed" }));
+    "as wide as the penumbra of a point's part of the light, up to filter_0 and so on; that wide; "
+    "or "
+    "wider, with as many taps",
+    { "cell", "fixed", "wide" }));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Pattern, "pattern", "how the points are spread", { "grid", "stratified", "hammersley" }));
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, Adaptive, "adaptive",
