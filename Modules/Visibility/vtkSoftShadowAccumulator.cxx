@@ -110,10 +110,10 @@ void vtkSoftShadowAccumulator::Hold(vtkOpenGLRenderWindow* window, int layer, fl
 
 //------------------------------------------------------------------------------
 void vtkSoftShadowAccumulator::Show(vtkOpenGLRenderWindow* window,
-  vtkShadowTextureArray* visibility, int layer, float share, float scale)
+  vtkShadowTextureArray* visibility, int layer, float share, float scale, bool fromHeld)
 {
-  this->Mix(window, visibility, this->Textures[BASE], this->Textures[SUM], layer, 1.0f - share,
-    share * scale);
+  this->Mix(window, visibility, this->Textures[fromHeld ? HELD : BASE], this->Textures[SUM], layer,
+    1.0f - share, share * scale);
 }
 
 //------------------------------------------------------------------------------

@@ -51,9 +51,9 @@ public:
   /// Copies the mean, scale times the sum, to held.
   void Hold(vtkOpenGLRenderWindow* window, int layer, float scale);
 
-  /// Writes (1 - share) base + share * scale * sum to the visibilities.
+  /// Writes (1 - share) rest + share * scale * sum to the visibilities; the rest is held or base.
   void Show(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* visibility, int layer,
-    float share, float scale);
+    float share, float scale, bool fromHeld);
 
   /// Per tile, the mean square of scale * sum - held. Waits for the GPU; a value per 1024 pixels.
   std::vector<float> ReadChanges(vtkOpenGLRenderWindow* window, int layer, float scale);

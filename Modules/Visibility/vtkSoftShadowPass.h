@@ -147,8 +147,8 @@ public:
   /**
    * Progressive mode: while neither scene, lights, camera, size nor settings change, each frame adds
    * ProgressivePoints points of every light, in a low-discrepancy order and with a hard shadow each,
-   * to a running mean. The first frame is the technique's own; the mean takes over as its points
-   * become 256. It converges to the truth whatever the technique. The mean depends on the number of
+   * to a running mean. The first frame is the technique's own; the mean takes over as its first 64
+   * points come. It converges to the truth whatever the technique. The mean depends on the number of
    * its points, not on that of the frames. Any change starts it again. Default is off.
    *
    * Frames are the application's to draw: while GetRefining() is true another one improves the

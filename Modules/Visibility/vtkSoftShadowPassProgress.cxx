@@ -76,8 +76,8 @@ void vtkSoftShadowPass::Refine(const vtkRenderState* s)
     this->AddPoints(s, window);
     for (int layer = 0; layer < impl.Statistics.LightsCasting; ++layer)
     {
-      impl.Accumulator.Show(
-        window, impl.Target.GetTexture(), layer, schedule.GetShare(), impl.GetMeanScale(layer));
+      impl.Accumulator.Show(window, impl.Target.GetTexture(), layer, schedule.GetShare(),
+        impl.GetMeanScale(layer), schedule.IsHeldShown());
     }
   }
   ++impl.Statistics.ProgressiveFrames;

@@ -10,8 +10,6 @@ namespace
 {
 // r / (1 - r), squared, for r = 0.6: what is left of the maps' error after one more doubling's gain.
 constexpr float FloorFactor = 2.25f;
-
-constexpr int PointsToTakeOver = 256;
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -34,12 +32,11 @@ void vtkSoftShadowSchedule::Finish(bool converged)
 //------------------------------------------------------------------------------
 float vtkSoftShadowSchedule::GetShare() const
 {
-  if (this->IsEnded())
+  if (this->Probing || this->HasFloor || this->IsEnded())
   {
-    return 1.0f;
+    return this->Probing && !this->IsEnded() ? 0.0f : 1.0f;
   }
-  const float points = static_cast<float>(this->HasFloor ? this->Count - FirstPoints : 0);
-  return std::min(points / static_cast<float>(PointsToTakeOver - FirstPoints), 1.0f);
+  return static_cast<float>(this->Count) / static_cast<float>(FirstPoints);
 }
 
 //------------------------------------------------------------------------------
@@ -80,6 +77,7 @@ vtkSoftShadowSchedule::NextType vtkSoftShadowSchedule::LookAtMaps(const std::vec
   {
     this->MapSize *= 2;
     this->Count = 0;
+    this->Grown = true;
     return HOLD_AND_CLEAR;
   }
   this->HasFloor = true;

@@ -56,10 +56,13 @@ public:
   double GetEstimatedError() const { return this->EstimatedError; }
 
   /**
-   * Share of the mean in what is shown, in [0, 1]; the rest is the technique's own visibility. Few
-   * points show as bands, so the mean takes over as they become 256.
+   * Share of the mean in what is shown, in [0, 1]. Few points show as bands, so the mean takes over as
+   * the first of them come; before its error is estimated it is shown alone.
    */
   float GetShare() const;
+
+  /// Whether the rest of what is shown is the mean that is held, not the technique's own visibility.
+  bool IsHeldShown() const { return this->Grown; }
 
   /// How many of the frame's points may be drawn before the next look at the mean.
   int GetRun(int most) const;
@@ -88,6 +91,7 @@ private:
   int Count = 0;
   int Goal = FirstPoints;
   bool Probing = true; // with maps of half the size
+  bool Grown = false;  // the maps
   bool HasFloor = false;
   bool Converged = false;
   bool Exhausted = false;

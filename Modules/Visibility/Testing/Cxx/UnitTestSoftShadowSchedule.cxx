@@ -44,8 +44,11 @@ TEST(SoftShadowSchedule, ComparesMapsThenHalves)
     EXPECT_EQ(schedule.GetCount(), 0);
     EXPECT_EQ(schedule.GetShare(), 0.0f);
     EXPECT_TRUE(schedule.NeedsTiles());
-    EXPECT_EQ(DrawToLook(schedule, points), Schedule::FirstPoints);
+    schedule.Advance(16);
+    EXPECT_EQ(schedule.GetShare(), 0.25f);
+    EXPECT_EQ(DrawToLook(schedule, points), Schedule::FirstPoints - 16);
     EXPECT_EQ(schedule.Look({ 0.0f, 1.6e-5f }), Schedule::HOLD);
+    EXPECT_EQ(schedule.GetShare(), 1.0f);
     // 1.5 times a change of 0.004 are 0.006; with 0.008 of the points that is the tolerance.
     EXPECT_EQ(DrawToLook(schedule, points), Schedule::FirstPoints);
     EXPECT_EQ(schedule.Look({ 0.0f, 1.44e-4f }), Schedule::HOLD);
