@@ -196,7 +196,7 @@ SceneResult BenchmarkRunner::Run(
     if (result.Failure.empty())
     {
       truth = this->GetTruth(scene, choices, result);
-      truth.Picture = DrawLit(scene, truth.Soft);
+      truth.Picture = this->Settings.JudgesPictures ? DrawLit(scene, truth.Soft) : ColorImage();
     }
   }
   catch (const std::exception& error)

@@ -48,6 +48,8 @@ struct BenchmarkSettings
   int ReferenceSamplesPerAxis = 48;
   /// Where references are kept; empty: nowhere.
   std::string CacheFolder;
+  /// Whether lit pictures are compared with the picture of the truth.
+  bool JudgesPictures = true;
   /// Pictures of the first contestant of every technique.
   bool Pictures = true;
 };

@@ -57,6 +57,13 @@ BenchmarkRunner MakeRunner(const PaperTable& table, const BenchmarkRunner& runne
   settings.HasTruth = table.HasTruth;
   settings.Gaussian = table.Gaussian;
   settings.Pictures = false;
+  settings.JudgesPictures = std::any_of(table.Columns.begin(), table.Columns.end(),
+    [](const PaperColumn& column)
+    {
+      return column.Figure == PaperFigure::PictureRmse ||
+        column.Figure == PaperFigure::PicturePsnr ||
+        column.Figure == PaperFigure::PictureSsimPercent;
+    });
   BenchmarkRunner own = runner;
   own.SetSettings(settings);
   return own;
@@ -125,22 +132,29 @@ std::string Relate(PaperFigure figure, double value, double base)
 }
 
 //--------------------------------------------------------------------------------------------------
+// With many figures each has one cell: "published / measured (ratio / ratio)".
+bool IsCompact(const PaperTable& table)
+{
+  return std::count_if(table.Columns.begin(), table.Columns.end(),
+           [](const PaperColumn& column) { return !column.Published.empty(); }) > 2;
+}
+
+//--------------------------------------------------------------------------------------------------
 void WriteHeads(std::ostream& os, const PaperTable& table)
 {
   os << "| |";
   std::string rule = "| :--- |";
   for (const PaperColumn& column : table.Columns)
   {
-    if (column.Published.empty())
+    os << ' ' << column.Title;
+    rule += " ---: |";
+    if (!column.Published.empty() && !IsCompact(table))
     {
-      os << ' ' << column.Title << " |";
-      rule += " ---: |";
-      continue;
+      const std::string relation = IsComparedByDifference(column.Figure) ? "difference" : "ratio";
+      os << ": published | measured | " << relation << " published | " << relation << " measured";
+      rule += " ---: | ---: | ---: |";
     }
-    const std::string relation = IsComparedByDifference(column.Figure) ? "difference" : "ratio";
-    os << ' ' << column.Title << ": published | measured | " << relation << " published | "
-       << relation << " measured |";
-    rule += " ---: | ---: | ---: | ---: |";
+    os << " |";
   }
   os << '\n' << rule << '\n';
 }
@@ -163,9 +177,13 @@ void WriteRow(std::ostream& os, const PaperResult& result, size_t row)
     if (!column.Published.empty())
     {
       const double published = PublishedIn(column, row);
-      os << ' ' << FormatNumber(published) << " | " << FormatNumber(measured) << " | "
-         << Relate(column.Figure, published, PublishedIn(column, table.Base)) << " | "
-         << Relate(column.Figure, measured, MeasureFigure(column, base)) << " |";
+      const bool isCompact = IsCompact(table);
+      os << ' ' << FormatNumber(published) << (isCompact ? " / " : " | ") << FormatNumber(measured)
+         << (isCompact ? " (" : " | ")
+         << Relate(column.Figure, published, PublishedIn(column, table.Base))
+         << (isCompact ? " / " : " | ")
+         << Relate(column.Figure, measured, MeasureFigure(column, base))
+         << (isCompact ? ") |" : " |");
     }
     else
     {
@@ -252,7 +270,8 @@ void WritePaperMarkdown(std::ostream& os, const PaperResult& result)
   {
     os << " Ratios and differences are to \"" << table.Rows[table.Base].Label << "\".";
   }
-  os << (table.Remark.empty() ? "" : " ") << table.Remark << "\n\n";
+  os << (IsCompact(table) ? " Cells: published / measured (ratio published / measured)." : "")
+     << (table.Remark.empty() ? "" : " ") << table.Remark << "\n\n";
   if (!result.Scene.Failure.empty())
   {
     os << "Not measured: " << result.Scene.Failure << "\n\n";

@@ -39,23 +39,6 @@ ColorImage DrawVisibility(int width, int height, const std::vector<float>& visib
 }
 
 //--------------------------------------------------------------------------------------------------
-double TotalRmse(const std::vector<VisibilityErrors>& lights)
-{
-  double squares = 0.0;
-  double pixels = 0.0;
-  for (const VisibilityErrors& errors : lights)
-  {
-    if (errors.All.Pixels > 0)
-    {
-      const auto count = static_cast<double>(errors.All.Pixels);
-      squares += errors.All.Rmse * errors.All.Rmse * count;
-      pixels += count;
-    }
-  }
-  return std::sqrt(squares / pixels);
-}
-
-//--------------------------------------------------------------------------------------------------
 double GetNumber(const TechniqueOptions& options, const std::string& name)
 {
   const auto found = options.find(name);
@@ -200,34 +183,48 @@ void SceneTrial::Prepare(const ContestantChoice& choice, Entry& entry)
 }
 
 //--------------------------------------------------------------------------------------------------
-// Fills in the errors per light; returns the RMSE over all lights' pixels.
-double SceneTrial::CompareWith(const std::vector<std::vector<float>>& truth,
-  const std::vector<std::vector<float>>& images, std::vector<VisibilityErrors>& errors) const
+// Over the pixels of all lights together; NaN if there are none.
+double SceneTrial::CompareWith(
+  const std::vector<std::vector<float>>& truth, const std::vector<std::vector<float>>& images) const
 {
+  double squares = 0.0;
+  double pixels = 0.0;
   for (size_t light = 0; light < std::min(images.size(), truth.size()); ++light)
   {
-    errors.push_back(MeasureErrors(
-      this->Scene.Width, this->Scene.Height, truth[light], images[light], this->Silhouettes));
+    for (size_t i = 0; i < images[light].size(); ++i)
+    {
+      const double error = images[light][i] - truth[light][i];
+      const bool isLeftOut = !this->Silhouettes.empty() && this->Silhouettes[i];
+      if (!isLeftOut && !std::isnan(error))
+      {
+        squares += error * error;
+        pixels += 1.0;
+      }
+    }
   }
-  return TotalRmse(errors);
+  return std::sqrt(squares / pixels);
 }
 
 //--------------------------------------------------------------------------------------------------
 void SceneTrial::Judge(const ContestantChoice& choice, Entry& entry)
 {
   const std::vector<std::vector<float>> images = entry.Runner->GetVisibility();
-  entry.Result.Rmse = this->CompareWith(this->Truth.Soft.Visibility, images, entry.Result.Errors);
-  std::vector<VisibilityErrors> others;
+  const std::vector<std::vector<float>>& soft = this->Truth.Soft.Visibility;
+  for (size_t light = 0; light < std::min(images.size(), soft.size()); ++light)
+  {
+    entry.Result.Errors.push_back(MeasureErrors(
+      this->Scene.Width, this->Scene.Height, soft[light], images[light], this->Silhouettes));
+  }
+  entry.Result.Rmse = this->CompareWith(soft, images);
   if (choice.HasHardShadows())
   {
-    entry.Result.RmseToHard = this->CompareWith(this->Truth.Hard.Visibility, images, others);
-    others.clear();
+    entry.Result.RmseToHard = this->CompareWith(this->Truth.Hard.Visibility, images);
   }
   if (this->FirstVisibility.empty())
   {
     this->FirstVisibility = images;
   }
-  entry.Result.RmseToFirst = this->CompareWith(this->FirstVisibility, images, others);
+  entry.Result.RmseToFirst = this->CompareWith(this->FirstVisibility, images);
   const ColorImage picture =
     this->Truth.Picture.Pixels.empty() ? ColorImage() : entry.Runner->GetPicture();
   if (!picture.Pixels.empty())

@@ -66,7 +66,7 @@ private:
   void Prepare(const ContestantChoice& choice, Entry& entry);
   void Judge(const ContestantChoice& choice, Entry& entry);
   double CompareWith(const std::vector<std::vector<float>>& truth,
-    const std::vector<std::vector<float>>& images, std::vector<VisibilityErrors>& errors) const;
+    const std::vector<std::vector<float>>& images) const;
   void KeepPictures(const std::vector<std::vector<float>>& images, Entry& entry) const;
   double LongestFrame() const;
   double Time(Entry& entry, Motion motion);

@@ -24,7 +24,7 @@ document=Documentation/SpeedAgainstError.md
 failures=()
 
 # Shares of the papers' time, in percent.
-papers=(sssm:40 pvssm:19 sbfs:17 cascaded:12 estimators:9 pcss:3)
+papers=(sssm:38 pvssm:18 sbfs:20 cascaded:12 estimators:9 pcss:3)
 
 try() {
     local name=$1

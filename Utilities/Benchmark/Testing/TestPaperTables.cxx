@@ -130,6 +130,19 @@ TEST(PaperTables, MarkdownShowsTheNumbersOfTheJson)
 }
 
 //--------------------------------------------------------------------------------------------------
+TEST(PaperTables, ManyFiguresShareCells)
+{
+  PaperResult result = MakeResult();
+  result.Table.Columns.push_back({ "ms", PaperFigure::Milliseconds, { 10.0, 30.0 }, {} });
+  std::ostringstream text;
+  WritePaperMarkdown(text, result);
+  EXPECT_NE(text.str().find("| second | - / 25 (- / 0.50) | 31.5 / 39.25 (+1.50 / -1.00) |"),
+    std::string::npos)
+    << text.str();
+  EXPECT_NE(text.str().find(" 30 / 40 (3.00 / 2.00) |"), std::string::npos) << text.str();
+}
+
+//--------------------------------------------------------------------------------------------------
 TEST(PaperTables, MissingScenesAreReported)
 {
   PaperTable table = MakeResult().Table;
