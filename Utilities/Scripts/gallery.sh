@@ -15,6 +15,9 @@ rays="${RAYS:-256}"
 page=Documentation/Gallery.md
 images=Documentation/Images/Gallery
 
+# Techniques whose light is bright in its middle by default: the reference's is uniform.
+gaussian=" $("$tool" --list-techniques | awk '/^[a-z]/ { name = $1 } /weights=gaussian/ { printf "%s ", name }')"
+
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$images"
@@ -32,7 +35,7 @@ print("%.4f" % max(light["all"]["rmse"] for light in lights))' "$1"
 {
     echo "# Gallery"
     echo
-    echo "Made by \`Utilities/Scripts/gallery.sh\`: the benchmark's scenes with every technique at its defaults,"
+    echo "Made by \`Utilities/Scripts/gallery.sh\`: the benchmark's scenes with every technique at its defaults and a uniform light,"
     echo "$width x $height pixels. The number is the RMSE of the visibility over all pixels against ray tracing with $rays"
     echo "rays per light (of the light with the largest). What the techniques are for: [Choosing](Choosing.md)."
 } >"$work/page.md"
@@ -66,7 +69,9 @@ for scene in $scenes; do
     for technique in $techniques; do
         picture="$images/$scene-$technique.jpg"
         error="not rendered"
-        if "$tool" render "$file" --technique "$technique" -o "$picture" \
+        options=()
+        [[ "$gaussian" != *" $technique "* ]] || options=(--option weights=mean)
+        if "$tool" render "$file" --technique "$technique" "${options[@]}" -o "$picture" \
             --visibility "$work/ours.exr" "${size[@]}" >/dev/null 2>"$work/error" &&
             "$tool" compare "$work/truth.exr" "$work/ours.exr" --report "$work/report.json" >/dev/null; then
             error="$(measure "$work/report.json")"
