@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -67,6 +68,12 @@ std::string NameOf(const SplitCase& test)
 {
   return std::string(test.Shape == vtkShadowEmitter::DISK ? "Disk" : "Rectangle") +
     std::to_string(test.CountU) + "x" + std::to_string(test.CountV);
+}
+
+// Else GoogleTest prints the bytes, padding included.
+std::ostream& operator<<(std::ostream& os, const SplitCase& test)
+{
+  return os << NameOf(test);
 }
 
 class ShadowEmitterSplit : public testing::TestWithParam<SplitCase>
