@@ -77,25 +77,30 @@ END
     return $result
 }
 
-case "${1:-}" in
-    --references-only) trace_references ;;
-    --document-only) try "document" fill_document ;;
-    # The parts of a run, each a process that can be ended by itself.
-    --scenes) scenes --budget "$budget" --rounds 7 --seconds 4 ; exit $? ;;
-    --paper) paper "$2" --budget "$3" --rounds 5 --seconds 30 > /dev/null; exit $? ;;
-    "")
-        mkdir -p "$output"
-        trace_references
-        measure
-        try "document" fill_document
-        ;;
-    *)
-        sed -n '2,/^set/s/^# \{0,1\}//p' "$self"
-        exit 1
-        ;;
-esac
-echo "== done ($(date +%T))"
-if [ ${#failures[@]} -gt 0 ]; then
-    printf 'FAILED: %s\n' "${failures[@]}"
-    exit 1
-fi
+main() {
+    case "${1:-}" in
+        --references-only) trace_references ;;
+        --document-only) try "document" fill_document ;;
+        # The parts of a run, each a process that can be ended by itself.
+        --scenes) scenes --budget "$budget" --rounds 7 --seconds 8; return $? ;;
+        --paper) paper "$2" --budget "$3" --rounds 5 --seconds 30 > /dev/null; return $? ;;
+        "")
+            mkdir -p "$output"
+            trace_references
+            measure
+            try "document" fill_document
+            ;;
+        *)
+            sed -n '2,/^set/s/^# \{0,1\}//p' "$self"
+            exit 1
+            ;;
+    esac
+    echo "== done ($(date +%T))"
+    if [ ${#failures[@]} -gt 0 ]; then
+        printf 'FAILED: %s\n' "${failures[@]}"
+        return 1
+    fi
+}
+
+# In one line: the script may change while it runs.
+main "$@"; exit $?
