@@ -63,11 +63,12 @@ Kernel kernelOf(vec3 variance, vec2 texelsPerUnit, bool gaussian, vec4 window)
   return kernel;
 }
 
-// The integral of sqrt(1 - x^2) from 0 to x.
+// The integral of sqrt(1 - x^2) from 0 to x. asin is atan(x, cos) here: its own precision is loose.
 float chordIntegral(float x)
 {
   float clamped = clamp(x, -1.0, 1.0);
-  return 0.5 * (clamped * sqrt(1.0 - clamped * clamped) + asin(clamped));
+  float cosine = sqrt(1.0 - clamped * clamped);
+  return 0.5 * (clamped * cosine + atan(clamped, cosine));
 }
 
 // Strip index of the kernel around center (along the strips' axis, across it): a box.
