@@ -117,7 +117,8 @@ public:
   ///@{
   /**
    * h_r: standard deviation of the range weights of all filters in units of visibility, in [0.01,
-   * 100]. Larger smooths over larger steps. Default is 0.5, the paper's.
+   * 100]. Larger smooths over larger steps. ADAPTIVE takes it for up to three points and (3 / n)^(1/4)
+   * of it for n: their bands differ less. Default is 0.5, the paper's.
    */
   vtkSetClampMacro(RangeDeviation, double, 0.01, 100.0);
   vtkGetMacro(RangeDeviation, double);

@@ -14,6 +14,7 @@
 #include "vtkSoftShadowsOpenGL.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -99,6 +100,17 @@ vtkBilateralSoftShadowPass::Internals::PlanSteps(const vtkBilateralSoftShadowPas
 }
 
 //------------------------------------------------------------------------------
+// The more points, the smaller the steps between bands: what differs by more is a shadow's edge. The
+// root of the root lies between what suits scenes (the root) and single ramps (none).
+double vtkBilateralSoftShadowPass::Internals::GetRangeDeviation(
+  const vtkBilateralSoftShadowPass* self)
+{
+  constexpr double Points = 3.0;
+  const double share = self->Filter == ADAPTIVE ? Points / self->NumberOfSamples : 1.0;
+  return self->RangeDeviation * std::sqrt(std::sqrt(std::min(share, 1.0)));
+}
+
+//------------------------------------------------------------------------------
 void vtkBilateralSoftShadowPass::DrawSteps(const vtkSoftShadowContext& context)
 {
   Internals& impl = *this->Impl;
@@ -113,7 +125,7 @@ void vtkBilateralSoftShadowPass::DrawSteps(const vtkSoftShadowContext& context)
     program->SetUniformi("firstStep", i == 0 ? 1 : 0);
     program->SetUniformi("lastStep", isLast ? 1 : 0);
     program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
-    program->SetUniformf("rangeDeviation", static_cast<float>(this->RangeDeviation));
+    program->SetUniformf("rangeDeviation", static_cast<float>(Internals::GetRangeDeviation(this)));
     if (this->Filter == ADAPTIVE)
     {
       impl.SetAdaptiveUniforms(program, context, steps[i], this);

@@ -89,6 +89,7 @@ public:
   {
     return (self->MaximumWidth + 2) / 3;
   }
+  static double GetRangeDeviation(const vtkBilateralSoftShadowPass* self);
   static std::vector<Step> PlanSteps(const vtkBilateralSoftShadowPass* self);
 };
 VTK_ABI_NAMESPACE_END
