@@ -152,7 +152,7 @@ void MenuLayout::AddHeading(
 //--------------------------------------------------------------------------------------------------
 void MenuLayout::AddNote(const std::string& text, int lines)
 {
-  constexpr double letterWidth = 0.56; // of the font's size, on average
+  constexpr double letterWidth = 0.53; // of the font's size, on average
   const int high = this->Scale.Row - this->Scale.Gap / 2;
   const int room = this->Scale.PanelWidth - 4 * this->Scale.Gap;
   std::vector<std::string> wrapped =
@@ -221,7 +221,7 @@ void MenuLayout::AddMenu()
     Look::Button, "hide  m", Align::Center, { Kind::ToggleMenu, 0, "" } });
 
   this->AddTechniques();
-  constexpr int notes = 2 * NoteLines + 1; // of technique, setting and view
+  constexpr int notes = 3 * NoteLines; // of technique, setting and view
   constexpr int headings = 5;
   const int room = this->Height - this->GetRowsBesideSettings() * scale.Row -
     notes * (scale.Row - scale.Gap / 2) - (headings + 3) * scale.Gap;
@@ -237,7 +237,7 @@ void MenuLayout::AddMenu()
       Button(view.Name, { Kind::ChooseView, place, "" }, place == this->State.GetViewPlace()));
   }
   this->AddButtons(views, ViewsPerRow);
-  this->AddNote(this->State.GetView().Meaning, 1);
+  this->AddNote(this->State.GetView().Meaning, NoteLines);
   this->AddButtons({ Button("converge at rest  p", { Kind::ToggleProgressive, 0, "" },
                      this->State.IsProgressive()) },
     1);
@@ -386,7 +386,7 @@ void MenuLayout::AddHelp()
   const std::vector<HelpLine>& lines = GetHelp();
   const int left = this->State.IsMenuOpen() ? scale.PanelWidth : 0;
   const int high = scale.Row;
-  const int wide = std::min(this->Width - left - 2 * scale.Gap, scale.PanelWidth * 17 / 10);
+  const int wide = std::min(this->Width - left - 2 * scale.Gap, 2 * scale.PanelWidth);
   const int all = static_cast<int>(lines.size() + 2) * high;
   const MenuRect panel = { left + (this->Width - left - wide) / 2,
     std::max(0, (this->Height - all) / 2), wide, all };
