@@ -36,13 +36,10 @@ BuiltScene MakeScene()
   light.Position = { { 1.0, 0.0, 4.0 } };
   light.Size = { { 1.0, 1.0 } };
   scene.Lights.push_back(light);
-  ObjectDescription ground;
-  ground.Shape =
+  scene.Objects.resize(2);
+  scene.Objects[0].Shape =
     PlaneShape{ { { -4.0, -4.0, 0.0 } }, { { 4.0, -4.0, 0.0 } }, { { -4.0, 4.0, 0.0 } }, 1, 1 };
-  scene.Objects.push_back(ground);
-  ObjectDescription box;
-  box.Shape = BoxShape{ { -0.5, 0.5, -0.5, 0.5, 0.5, 1.5 } };
-  scene.Objects.push_back(box);
+  scene.Objects[1].Shape = BoxShape{ { -0.5, 0.5, -0.5, 0.5, 0.5, 1.5 } };
   ModelStore models;
   return BuildScene(scene, models);
 }

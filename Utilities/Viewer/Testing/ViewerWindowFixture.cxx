@@ -64,13 +64,10 @@ SceneDescription ViewerWindowTest::MakeScene()
   light.Position = { { -1.5, 0.0, 3.0 } };
   light.Size = { { 0.6, 0.6 } };
   scene.Lights.push_back(light);
-  ObjectDescription ground;
-  ground.Shape =
+  scene.Objects.resize(2);
+  scene.Objects[0].Shape =
     PlaneShape{ { { -6.0, -6.0, 0.0 } }, { { 6.0, -6.0, 0.0 } }, { { -6.0, 6.0, 0.0 } }, 1, 1 };
-  scene.Objects.push_back(ground);
-  ObjectDescription box;
-  box.Shape = BoxShape{ { -0.5, 0.5, -0.5, 0.5, 0.6, 1.4 } };
-  scene.Objects.push_back(box);
+  scene.Objects[1].Shape = BoxShape{ { -0.5, 0.5, -0.5, 0.5, 0.6, 1.4 } };
   return scene;
 }
 
