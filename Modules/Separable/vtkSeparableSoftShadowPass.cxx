@@ -187,7 +187,7 @@ void vtkSeparableSoftShadowPass::AddVisibility(const vtkSoftShadowContext& conte
   {
     impl.Reuse.Add(this->ChangeStatistics().VisibilityFrames);
     const auto percent = [&impl](int stage)
-    { return static_cast<vtkTypeInt64>(100.0 * impl.Reuse.GetShare(stage) + 0.5); };
+    { return static_cast<vtkTypeInt64>(std::lround(100.0 * impl.Reuse.GetShare(stage))); };
     this->ChangeStatistics().TechniqueCounts = { { "percent_of_search_rows_reused",
                                                    percent(SEARCH_STAGE) },
       { "percent_of_filter_rows_reused", percent(FILTER_STAGE) } };
