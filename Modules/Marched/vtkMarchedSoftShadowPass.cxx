@@ -31,7 +31,7 @@ float StepJitter(int i)
 }
 
 // An edge of a shadow that crosses the light parts its rim: the outermost quarter of the samples, with
-// an eighth of the others against what is smaller than the light. Returns how many these are.
+// half of the others against what is smaller than the light. Returns how many these are.
 int PutDecisiveFirst(std::vector<vtkShadowLightSampling::Sample>& samples)
 {
   const auto outside =
@@ -43,7 +43,7 @@ int PutDecisiveFirst(std::vector<vtkShadowLightSampling::Sample>& samples)
   const vtkShadowLightSampling::Sample last = sorted[rim - 1];
   std::stable_partition(samples.begin(), samples.end(),
     [&](const vtkShadowLightSampling::Sample& sample) { return !outside(last, sample); });
-  return static_cast<int>(std::min(rim + (samples.size() + 7) / 8, samples.size()));
+  return static_cast<int>(std::min(rim + (3 * samples.size() + 7) / 8, samples.size()));
 }
 } // namespace
 

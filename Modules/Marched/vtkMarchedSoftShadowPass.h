@@ -10,7 +10,7 @@
  * the ray and of the receiver's plane, but not by more than the blocker's thickness: the map knows
  * nothing behind the first surface, and without a bound everything behind a silhouette were dark.
  *
- * The rim of the light and an eighth of the other rays decide where they all agree. Rays and steps are
+ * The rim of the light and half of the other rays decide where they all agree. Rays and steps are
  * the same for every pixel: the result is deterministic and free of noise, in steps of 1 / Rays.
  *
  * Blockers at several depths do not fuse as with the techniques that widen a map's edges; what the
