@@ -55,7 +55,7 @@ int CountOpenGLErrors()
 /// Cheap maps: what is counted does not depend on their size.
 vtkSmartPointer<vtkSoftShadowPass> MakeTinyPass(const Technique& technique)
 {
-  const auto pass = technique.Make(Effort::Quick, Weights::Mean);
+  auto pass = technique.Make(Effort::Quick, Weights::Mean);
   pass->SetMapSize(64);
   return pass;
 }

@@ -54,7 +54,7 @@ Picture Draw(const std::vector<vtkSmartPointer<vtkProp>>& props, const std::stri
   }
   scene.Renderer->ResetCameraClippingRange();
   Stage stage(scene.Renderer, MakePass(technique), 120, 90);
-  const Picture visibility = stage.RenderVisibility(scene.Lamp);
+  Picture visibility = stage.RenderVisibility(scene.Lamp);
   EXPECT_TRUE(Matches(visibility, stage.RenderVisibility(scene.Lamp), Identical)) << "drawn again";
   return visibility;
 }

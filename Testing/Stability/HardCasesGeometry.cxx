@@ -41,7 +41,7 @@ HardScene Finish(const BasicScene& scene)
 /// The ground scene with one more mesh.
 HardScene WithMesh(vtkPolyData* mesh)
 {
-  const BasicScene scene = MakeGroundScene();
+  BasicScene scene = MakeGroundScene();
   scene.Renderer->AddActor(MakeMeshActor(mesh));
   return Finish(scene);
 }
@@ -50,7 +50,7 @@ HardScene WithMesh(vtkPolyData* mesh)
 /// The basic scene with one more mesh, which is not to be noticed.
 HardScene WithNonsense(vtkPolyData* mesh)
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   scene.Renderer->AddActor(MakeMeshActor(mesh));
   // The camera's range is not what is tested, and VTK takes it from all bounds.
   scene.Renderer->GetActiveCamera()->SetClippingRange(1.0, 20.0);
@@ -61,7 +61,7 @@ HardScene WithNonsense(vtkPolyData* mesh)
 /// A sun 0.1 degrees over the ground, a low wall in its way.
 HardScene GrazingLight()
 {
-  const BasicScene scene = MakeGroundScene();
+  BasicScene scene = MakeGroundScene();
   scene.Renderer->RemoveAllLights();
   const double angle = vtkMath::RadiansFromDegrees(0.1);
   const auto sun = MakeSun({ { std::cos(angle), 0.0, std::sin(angle) } }, 0.53);
@@ -75,7 +75,7 @@ HardScene GrazingLight()
 //------------------------------------------------------------------------------
 HardScene GrazingView()
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   scene.Renderer->GetActiveCamera()->SetPosition(0.0, -5.0, 0.05);
   scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
   scene.Renderer->GetActiveCamera()->SetClippingRange(0.01, 20.0);
@@ -85,7 +85,7 @@ HardScene GrazingView()
 //------------------------------------------------------------------------------
 HardScene LightNearlyTouching()
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   scene.Lamp->SetPosition(-0.6, -0.7, 0.05);
   scene.Lamp->SetFocalPoint(-0.6, 0.0, 0.4);
   scene.Lamp->SetSize(0.05, 0.05);
@@ -95,7 +95,7 @@ HardScene LightNearlyTouching()
 //------------------------------------------------------------------------------
 HardScene LightInsideMesh()
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   scene.Lamp->SetPosition(-0.6, -0.1, 0.7);
   scene.Lamp->SetFocalPoint(-0.6, -0.1, 0.0);
   scene.Lamp->SetSize(0.1, 0.1);
@@ -105,7 +105,7 @@ HardScene LightInsideMesh()
 //------------------------------------------------------------------------------
 HardScene LightLargerThanScene()
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   scene.Lamp->SetSize(12.0, 12.0);
   return scene;
 }
@@ -114,7 +114,7 @@ HardScene LightLargerThanScene()
 /// Sheets edge-on to the light, standing and lying, and one across.
 HardScene ThinSheets()
 {
-  const BasicScene scene = MakeGroundScene();
+  BasicScene scene = MakeGroundScene();
   for (const double x : { -0.8, -0.3, 0.2 })
   {
     scene.Renderer->AddActor(
@@ -129,7 +129,7 @@ HardScene ThinSheets()
 /// Two grounds in one plane, and the lid of a box in the plane of a sheet.
 HardScene Coplanar()
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   scene.Renderer->AddActor(MakeGroundActor(2.0));
   scene.Renderer->AddActor(
     MakeQuadActor({ { { { 0.1, -0.5, 0.5 } }, { { 0.5, 0.0, 0.0 } }, { { 0.0, 0.5, 0.0 } } } }));
@@ -192,7 +192,7 @@ HardScene NotFinite(double value)
 //------------------------------------------------------------------------------
 HardScene EmptyAndInvisible()
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   scene.Renderer->AddActor(MakeMeshActor(vtkNew<vtkPolyData>()));
   scene.Renderer->AddActor(vtkNew<vtkActor>());
   vtkNew<vtkActor> unconnected;
@@ -219,7 +219,7 @@ HardScene SinglePoint()
 /// The basic scene, its bodies' properties and meshes changed.
 HardScene Changed(const std::function<void(vtkActor*)>& change)
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   change(scene.Ball);
   change(scene.Box);
   return scene;
@@ -266,7 +266,7 @@ HardScene MillionTriangles()
 /// One triangle as ground, ten thousand times the size of what stands on it.
 HardScene HugeTriangle()
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   scene.Renderer->RemoveActor(scene.Ground);
   scene.Renderer->AddActor(MakeMeshActor(
     MakeTriangles({ { { -1e4, -1e4, 0.0 } }, { { 2e4, -1e4, 0.0 } }, { { -1e4, 2e4, 0.0 } } })));
@@ -278,7 +278,7 @@ HardScene HugeTriangle()
 /// Plates one above the other with gaps that the lamp sees past.
 HardScene Stack()
 {
-  const BasicScene scene = MakeGroundScene();
+  BasicScene scene = MakeGroundScene();
   for (int i = 0; i < 4; ++i)
   {
     const double x = -0.9 + 0.3 * i;

@@ -35,7 +35,7 @@ HardScene Under(vtkLight* light)
 /// The basic scene's lamp, changed.
 HardScene Changed(const std::function<void(vtkAreaLight*)>& change)
 {
-  const BasicScene scene = MakeBasicScene();
+  BasicScene scene = MakeBasicScene();
   change(scene.Lamp);
   return scene;
 }
