@@ -115,16 +115,16 @@ void AddVariants(const KnownTechnique& technique, Plan& plan)
   {
     add({ { "rays", "16" }, { "steps", "8" } });
   }
+  if (technique.Has("split") && !technique.Has("samples"))
+  {
+    add({ { "split", "2" } });
+  }
   for (const auto& kernel : Kernels)
   {
     if (technique.Has("search_width") && technique.Has("filter_width"))
     {
       add({ { "search_width", kernel[0] }, { "filter_width", kernel[1] } });
     }
-  }
-  if (technique.Has("split") && !technique.Has("samples"))
-  {
-    add({ { "split", "2" } });
   }
 }
 
@@ -212,13 +212,13 @@ std::vector<ContestantChoice> PlanContestants(
   {
     return plan.Choices;
   }
-  for (const KnownTechnique& technique : techniques)
-  {
-    AddVariants(technique, plan);
-  }
   for (const char* samples : Samples)
   {
     plan.Add("rays", { { "samples", samples } });
+  }
+  for (const KnownTechnique& technique : techniques)
+  {
+    AddVariants(technique, plan);
   }
   for (const KnownTechnique& technique : techniques)
   {
