@@ -26,9 +26,9 @@
  * weighted by what they hide of the light; a texel outside the pyramid of receiver and light at its own
  * depth counts neither as lit nor as blocked; what is behind the receiver's plane is blocked; and a wide
  * kernel over tiles that are finer than it asked for takes several texels as one. RMSE of the
- * visibility: below 0.002 (Quality 2) on closed forms of one blocker depth, 0.005 to 0.03 in the scenes of
- * the benchmark, 0.06 where blockers at many depths fuse under a large light: below percentage-closer
- * filtering in all of them.
+ * visibility: below 0.002 (Quality 2) on closed forms of one blocker depth; in the scenes of the
+ * benchmark 0.005 to 0.03 in most, 0.065 on the terrain, 0.055 where blockers at many depths fuse under
+ * a large light.
  */
 
 #ifndef vtkVirtualSoftShadowPass_h

@@ -38,6 +38,7 @@ print("%.4f" % max(light["all"]["rmse"] for light in lights))' "$1"
     echo "Made by \`Utilities/Scripts/gallery.sh\`: the benchmark's scenes with every technique at its defaults and a uniform light,"
     echo "$width x $height pixels. The number is the RMSE of the visibility over all pixels against ray tracing with $rays"
     echo "rays per light (of the light with the largest). What the techniques are for: [Choosing](Choosing.md)."
+    echo "The errors belong to these small pictures and to the version that drew them; the command makes them anew."
 } >"$work/page.md"
 
 for scene in $scenes; do
