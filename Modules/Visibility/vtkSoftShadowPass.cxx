@@ -87,6 +87,14 @@ struct ScopedTextureUnit
   int Unit;
 };
 
+// Whatever window is at work: what lies in this one is freed in its own context.
+void ReleaseIn(vtkOpenGLRenderWindow* window, vtkSoftShadowPass* pass)
+{
+  window->PushContext();
+  pass->ReleaseGraphicsResources(window);
+  window->PopContext();
+}
+
 } // namespace
 
 vtkCxxSetObjectMacro(vtkSoftShadowPass, DelegatePass, vtkRenderPass);
@@ -110,9 +118,7 @@ void vtkSoftShadowPass::ReleaseBeforeDestruction()
   vtkOpenGLRenderWindow* window = this->Impl->Window;
   if (window)
   {
-    window->PushContext();
-    this->ReleaseGraphicsResources(window);
-    window->PopContext();
+    ReleaseIn(window, this);
   }
 }
 
@@ -122,6 +128,11 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
   this->NumberOfRenderedProps = 0;
   Internals& impl = *this->Impl;
   vtkOpenGLRenderWindow* window = GetWindow(s);
+  if (impl.Window && impl.Window != window)
+  {
+    ReleaseIn(
+      impl.Window, this); // one pass for two windows: nothing can move from one to the other
+  }
   impl.Window = window;
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, impl.Viewport);
@@ -358,6 +369,13 @@ vtkSoftShadowStatistics& vtkSoftShadowPass::ChangeStatistics()
 //------------------------------------------------------------------------------
 void vtkSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  vtkOpenGLRenderWindow* owner = this->Impl->Window;
+  if (owner && owner != window)
+  {
+    // A window that shared the pass goes. Techniques come here first, and find nothing left to free
+    // afterwards, where names would be those of another context.
+    ReleaseIn(owner, this);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
   if (this->DelegatePass)
   {
