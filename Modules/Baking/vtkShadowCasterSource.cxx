@@ -224,7 +224,29 @@ struct StickAccess : public vtkOpenGLStickMapper
   {
     return mapper->*(&StickAccess::ScaleArray);
   }
+  static const char* Axes(vtkOpenGLStickMapper* mapper)
+  {
+    return mapper->*(&StickAccess::OrientationArray);
+  }
 };
+
+double GetLargest(vtkDataArray* values, int component) // -1: the tuples' length
+{
+  double range[2];
+  values->GetRange(range, component);
+  return std::max(std::abs(range[0]), std::abs(range[1]));
+}
+
+// From a stick's middle to the rim of its ends: sizes are length and radius, axes of any length.
+double GetStickReach(vtkDataArray* sizes, vtkDataArray* axes)
+{
+  if (!sizes || sizes->GetNumberOfComponents() < 2)
+  {
+    return 1.0;
+  }
+  const double stretch = axes ? GetLargest(axes, -1) : 1.0;
+  return std::hypot(0.5 * stretch * GetLargest(sizes, 0), GetLargest(sizes, 1));
+}
 
 // The largest reach of an imposter around its point, 0 for mappers that draw no imposters.
 double GetImposterReach(vtkMapper* mapper, vtkPolyData* data)
@@ -235,20 +257,17 @@ double GetImposterReach(vtkMapper* mapper, vtkPolyData* data)
   {
     return 0.0;
   }
-  const char* name = sphere ? SphereAccess::Scales(sphere) : StickAccess::Scales(stick);
-  vtkDataArray* scales = name ? data->GetPointData()->GetArray(name) : nullptr;
-  if (!scales)
+  vtkPointData* points = data->GetPointData();
+  if (stick)
   {
-    return sphere ? sphere->GetRadius() : 1.0;
+    const char* sizes = StickAccess::Scales(stick);
+    const char* axes = StickAccess::Axes(stick);
+    return GetStickReach(
+      sizes ? points->GetArray(sizes) : nullptr, axes ? points->GetArray(axes) : nullptr);
   }
-  double reach = 0.0;
-  for (int component = 0; component < scales->GetNumberOfComponents(); ++component)
-  {
-    double range[2];
-    scales->GetRange(range, component);
-    reach = std::max({ reach, std::abs(range[0]), std::abs(range[1]) });
-  }
-  return reach;
+  const char* name = SphereAccess::Scales(sphere);
+  vtkDataArray* radii = name ? points->GetArray(name) : nullptr;
+  return radii ? GetLargest(radii, 0) : sphere->GetRadius();
 }
 
 void MixLook(std::uint64_t& signature, vtkActor* actor)
