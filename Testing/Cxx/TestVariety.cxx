@@ -9,6 +9,8 @@
 #include "Varieties.h"
 
 #include "vtkAreaLight.h"
+#include "vtkGenericRenderWindowInteractor.h"
+#include "vtkNew.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkSoftShadowPass.h"
@@ -44,7 +46,8 @@ vtkSmartPointer<vtkSoftShadowPass> MakePass(const std::string& name)
 
 //------------------------------------------------------------------------------
 /// The visibility of the ball scene's lamp, the ball exchanged for these props.
-Picture Draw(const std::vector<vtkSmartPointer<vtkProp>>& props, const std::string& technique)
+Picture Draw(
+  const std::vector<vtkSmartPointer<vtkProp>>& props, const std::string& technique, int mapSize)
 {
   const BallScene scene = MakeBallScene();
   scene.Renderer->RemoveActor(scene.Ball);
@@ -53,7 +56,11 @@ Picture Draw(const std::vector<vtkSmartPointer<vtkProp>>& props, const std::stri
     scene.Renderer->AddViewProp(prop);
   }
   scene.Renderer->ResetCameraClippingRange();
-  Stage stage(scene.Renderer, MakePass(technique), 120, 90);
+  const auto pass = MakePass(technique);
+  pass->SetMapSize(mapSize);
+  Stage stage(scene.Renderer, pass, 120, 90);
+  vtkNew<vtkGenericRenderWindowInteractor> interactor; // vtkQuadricLODActor asks it for its rate
+  interactor->SetRenderWindow(stage.GetWindow().Get());
   Picture visibility = stage.RenderVisibility(scene.Lamp);
   EXPECT_TRUE(Matches(visibility, stage.RenderVisibility(scene.Lamp), Identical)) << "drawn again";
   return visibility;
@@ -68,8 +75,8 @@ TEST_P(VarietyTest, CastsAndReceivesAsAPlainActor)
   for (const char* technique : TechniqueNames)
   {
     SCOPED_TRACE(technique);
-    const Picture expected = Draw(variety.MakePlain(), technique);
-    const Picture actual = Draw(variety.MakeVaried(), technique);
+    const Picture expected = Draw(variety.MakePlain(), technique, variety.MapSize);
+    const Picture actual = Draw(variety.MakeVaried(), technique, variety.MapSize);
     EXPECT_GT(CountShadowed(expected), 200);
     const Difference difference = Compare(actual, expected, SameButForEdges);
     EXPECT_LE(difference.ShareOff, variety.LargestShareOff) << difference.RootMeanSquare;

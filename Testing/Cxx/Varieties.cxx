@@ -6,7 +6,6 @@
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
-#include "vtkCellArray.h"
 #include "vtkClipPolyData.h"
 #include "vtkCubeSource.h"
 #include "vtkElevationFilter.h"
@@ -15,14 +14,12 @@
 #include "vtkLODProp3D.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkOpenGLSphereMapper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataTangents.h"
 #include "vtkProperty.h"
+#include "vtkQuadricLODActor.h"
 #include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
@@ -157,33 +154,6 @@ Props PhysicallyTexturedSheet()
 }
 
 //------------------------------------------------------------------------------
-Props SphereImposter()
-{
-  vtkNew<vtkPoints> points;
-  points->InsertNextPoint(0.0, 0.0, 0.9);
-  vtkNew<vtkCellArray> vertices; // without a cell VTK finds no bounds and culls the actor
-  vertices->InsertNextCell({ 0 });
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-  vtkNew<vtkOpenGLSphereMapper> mapper;
-  mapper->SetInputData(data);
-  mapper->SetRadius(0.5);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  return { actor };
-}
-
-//------------------------------------------------------------------------------
-Props FineBall()
-{
-  const auto ball = MakeBall();
-  ball->SetThetaResolution(128);
-  ball->SetPhiResolution(128);
-  return { MakeActor(ball) };
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPlane> MakeCut()
 {
   auto plane = vtkSmartPointer<vtkPlane>::New();
@@ -249,17 +219,41 @@ Props LevelOfDetailActor()
 }
 
 //------------------------------------------------------------------------------
-Props LevelOfDetailProp()
+vtkSmartPointer<vtkSphereSource> MakeCoarseBall()
+{
+  auto ball = MakeBall();
+  ball->SetThetaResolution(6);
+  ball->SetPhiResolution(5);
+  return ball;
+}
+
+//------------------------------------------------------------------------------
+Props CoarseBall()
+{
+  return { MakeActor(MakeCoarseBall()) };
+}
+
+//------------------------------------------------------------------------------
+Props LevelOfDetailProp(bool fine)
+{
+  vtkNew<vtkPolyDataMapper> mappers[2];
+  mappers[0]->SetInputConnection(MakeCoarseBall()->GetOutputPort());
+  mappers[1]->SetInputConnection(MakeBall()->GetOutputPort());
+  auto prop = vtkSmartPointer<vtkLODProp3D>::New();
+  const int levels[2] = { prop->AddLOD(mappers[0], 0.0), prop->AddLOD(mappers[1], 0.0) };
+  prop->AutomaticLODSelectionOff();
+  prop->SetSelectedLODID(levels[fine ? 1 : 0]);
+  return { prop };
+}
+
+//------------------------------------------------------------------------------
+Props QuadricLevelOfDetailActor()
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(MakeBall()->GetOutputPort());
-  auto prop = vtkSmartPointer<vtkLODProp3D>::New();
-  const int coarse = prop->AddLOD(vtkNew<vtkPolyDataMapper>(), 0.0);
-  const int fine = prop->AddLOD(mapper, 0.0);
-  prop->AutomaticLODSelectionOff();
-  prop->SetSelectedLODID(fine);
-  prop->DisableLOD(coarse);
-  return { prop };
+  auto actor = vtkSmartPointer<vtkQuadricLODActor>::New();
+  actor->SetMapper(mapper);
+  return { actor };
 }
 
 //------------------------------------------------------------------------------
@@ -309,21 +303,20 @@ Props NestedAssembly()
   return { outer };
 }
 
-}
-
 //------------------------------------------------------------------------------
-const std::vector<Variety>& AllVarieties()
+std::vector<Variety> PlainVarieties()
 {
-  static const std::vector<Variety> varieties = {
+  return {
     { "Textured", PlainSheet, TexturedSheet },
     { "TextureWithHole", [] { return Props{ MakeActor(MakeSheet(0.0)) }; }, SheetWithHole, 0.02 },
     { "PhysicallyBasedTextures", PlainSheet, PhysicallyTexturedSheet },
-    { "SphereImposter", FineBall, SphereImposter, 0.03, 0.06 },
     { "MapperClippingPlane", ClippedBall, MapperClippedBall, 0.02 },
     { "ScalarColors", PlainBall, ScalarBall },
     { "VertexShaderReplacement", PlainBall, DisplacedBall, 0.02 },
     { "LODActor", PlainBall, LevelOfDetailActor },
-    { "LODProp", PlainBall, LevelOfDetailProp },
+    { "LODProp", PlainBall, [] { return LevelOfDetailProp(true); }, 0.02 },
+    { "LODPropCoarse", CoarseBall, [] { return LevelOfDetailProp(false); }, 0.02 },
+    { "QuadricLODActor", PlainBall, QuadricLevelOfDetailActor },
     { "MirroringMatrix", TransformedCube, MirroredCube },
     { "NestedAssembly", TransformedCube, NestedAssembly },
     { "VisibleEdges", PlainBall,
@@ -335,6 +328,20 @@ const std::vector<Variety>& AllVarieties()
     { "BackfaceProperty", PlainBall,
       BallWith([](vtkActor* actor) { actor->SetBackfaceProperty(vtkNew<vtkProperty>()); }) },
   };
+}
+
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Variety>& AllVarieties()
+{
+  static const std::vector<Variety> varieties = []
+  {
+    std::vector<Variety> all = PlainVarieties();
+    const std::vector<Variety> imposters = ImposterVarieties();
+    all.insert(all.end(), imposters.begin(), imposters.end());
+    return all;
+  }();
   return varieties;
 }
 

@@ -32,9 +32,14 @@ struct Variety
   /// whose pixels have no plane of their own.
   double LargestShareOff = 0.005;
   double LargestRmse = 0.02;
+  /// Texels along an edge of a map, more where VTK's bounds are much larger than the body.
+  int MapSize = 512;
 };
 
 const std::vector<Variety>& AllVarieties();
+
+/// Spheres, sticks and molecules, which VTK traces in fragment shaders; see Imposters.cxx.
+std::vector<Variety> ImposterVarieties();
 
 std::ostream& operator<<(std::ostream& os, const Variety& variety);
 
