@@ -81,16 +81,19 @@ void PrintIntroduction()
 
 What the techniques make of hard cases. Printed by
 
-    bash Utilities/Scripts/offscreen.sh build/bin/SoftShadowsStability > Documentation/Stability.md
+    bash Utilities/Scripts/offscreen.sh build/release/bin/SoftShadowsStability > Documentation/Stability.md
 
 The tests `Stability.*` draw the same scenes and hold each figure to the tolerance of
 `Testing/Stability/HardCaseTolerances.cxx`.
 
 Figures are root mean square errors of the visibility against the ray tracer (256 rays per pixel, itself
 good to 0.005 in the penumbra), over all pixels of a picture of 96 x 96 that show the same surface in
-both. Maps have 512 texels along an edge, 64 points stand for the light (`MillionTriangles`: 16), so
-single pixels at a hard edge or a silhouette that fall to the other side add 0.01 each. A figure in
-bold is above the tolerance.
+both. Maps have 512 texels along an edge. 64 points stand for the light (32 for Bilateral, up to 81 for
+AdaptiveSampled, 32 rays for Marched; 15 to 25 in `MillionTriangles`). Single pixels at a hard edge or a
+silhouette that fall to the other side add 0.01 each. A figure in bold is above the tolerance.
+
+Columns are named by class: Sampled is `sampled`, PercentageCloser `pcss`, Marched `marched`, Bilateral
+`sbfs`, Separable `sssm`, Cascaded `cascaded`, AdaptiveSampled `fassalss`, Virtual `pvssm`.
 )";
 }
 
