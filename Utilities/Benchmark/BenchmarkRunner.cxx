@@ -139,7 +139,7 @@ SceneTruth BenchmarkRunner::GetTruth(const BenchmarkScene& scene,
 }
 
 //--------------------------------------------------------------------------------------------------
-void BenchmarkRunner::Prepare(
+bool BenchmarkRunner::Prepare(
   const BenchmarkScene& scene, const std::vector<ContestantChoice>& choices) const
 {
   std::string failure = scene.Failure;
@@ -156,6 +156,7 @@ void BenchmarkRunner::Prepare(
     failure = error.what();
   }
   this->Report(scene.Name + ": " + (failure.empty() ? "reference is there" : failure), true);
+  return failure.empty();
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -98,8 +98,8 @@ public:
   /// Never throws: what is broken is reported in the result.
   SceneResult Run(const BenchmarkScene& scene, const std::vector<ContestantChoice>& choices) const;
 
-  /// Only traces the references that Run will read, into the cache. Never throws.
-  void Prepare(const BenchmarkScene& scene, const std::vector<ContestantChoice>& choices) const;
+  /// Only traces the references that Run will read, into the cache. Never throws: false if it failed.
+  bool Prepare(const BenchmarkScene& scene, const std::vector<ContestantChoice>& choices) const;
 
   ///@{
   /// May change from scene to scene.

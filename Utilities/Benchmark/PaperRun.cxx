@@ -251,13 +251,11 @@ PaperResult RunPaperTable(
 }
 
 //--------------------------------------------------------------------------------------------------
-void PreparePaperTable(
+bool PreparePaperTable(
   const PaperTable& table, const std::vector<BenchmarkScene>& scenes, const BenchmarkRunner& runner)
 {
-  if (table.HasTruth)
-  {
+  return !table.HasTruth ||
     MakeRunner(table, runner).Prepare(FindScene(table, scenes), GetChoices(table));
-  }
 }
 
 //--------------------------------------------------------------------------------------------------

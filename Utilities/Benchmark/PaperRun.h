@@ -31,8 +31,8 @@ struct PaperResult
 PaperResult RunPaperTable(const PaperTable& table, const std::vector<BenchmarkScene>& scenes,
   const BenchmarkRunner& runner);
 
-/// Only traces the references of a table, into the runner's cache.
-void PreparePaperTable(const PaperTable& table, const std::vector<BenchmarkScene>& scenes,
+/// Only traces the references of a table, into the runner's cache. False if it failed.
+bool PreparePaperTable(const PaperTable& table, const std::vector<BenchmarkScene>& scenes,
   const BenchmarkRunner& runner);
 
 /// Work of a table beside others', to share time by: its rows times its pixels.

@@ -34,7 +34,7 @@ endforeach ()
 set(softshadows_python_package
   "${CMAKE_BINARY_DIR}/${softshadows_python_destination}/vtksoftshadows")
 configure_file(
-  "${CMAKE_SOURCE_DIR}/Utilities/Python/__init__.py.in"
+  "${SoftShadows_SOURCE_DIR}/Utilities/Python/__init__.py.in"
   "${softshadows_python_package}/__init__.py" @ONLY)
 install(
   FILES        "${softshadows_python_package}/__init__.py"

@@ -44,6 +44,12 @@ dpkg-deb -f "$deb" Package Version Depends
 dpkg-deb -f "$deb" Depends | grep -q libvtk9
 dpkg-deb -x "$deb" "$work/deb"
 consume deb "$work/deb/usr"
+python="$(find "$work/deb/usr" -type d -name vtksoftshadows -path '*-packages/*')"
+if [ -n "$python" ]; then
+    dpkg-deb -f "$deb" Recommends | grep -q python3-vtk9
+    (cd "$work" && PYTHONPATH="$(dirname "$python")" /usr/bin/python3 -c 'import vtksoftshadows')
+    echo "deb: vtksoftshadows was imported"
+fi
 
 "$scripts/configure.sh" "$work/static" -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF \
     -DSOFTSHADOWS_BUILD_UTILITIES=OFF -DCMAKE_COMPILE_WARNING_AS_ERROR=ON >"$work/log" ||

@@ -4,6 +4,7 @@
 # Usage: gallery.sh [build folder]       (default: build/quickstart; needs the tool softshadow)
 # Environment: SCENES, TECHNIQUES (names with blanks between), WIDTH, HEIGHT (pixels of a picture),
 # RAYS (of the reference, per pixel and light).
+# Ends with an error if a technique could not render a scene; its picture is left out then.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 tool="${1:-build/quickstart}/bin/softshadow"
@@ -20,8 +21,8 @@ gaussian=" $("$tool" --list-techniques | awk '/^[a-z]/ { name = $1 } /weights=ga
 
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
-mkdir -p "$images"
-rm -f "$images"/*.jpg
+mkdir "$work/images"
+failed=0
 "$tool" benchmark --write-models "$work/models" >/dev/null # meshes that are made, not kept
 
 # The value of a measure in the report of softshadow compare.
@@ -68,8 +69,8 @@ for scene in $scenes; do
         column=0
     }
     for technique in $techniques; do
-        picture="$images/$scene-$technique.jpg"
-        error="not rendered"
+        picture="$work/images/$scene-$technique.jpg"
+        link="![$scene, $technique](Images/Gallery/$scene-$technique.jpg)"
         options=()
         [[ "$gaussian" != *" $technique "* ]] || options=(--option weights=mean)
         if "$tool" render "$file" --technique "$technique" "${options[@]}" -o "$picture" \
@@ -78,15 +79,23 @@ for scene in $scenes; do
             error="$(measure "$work/report.json")"
         else
             cat "$work/error" >&2
+            failed=1
+            rm -f "$picture"
+            link=""
+            error="not rendered"
         fi
         names+=" \`$technique\` |"
         rules+=" --- |"
-        pictures+=" ![$scene, $technique](Images/Gallery/$scene-$technique.jpg) |"
+        pictures+=" $link |"
         errors+=" $error |"
         column=$((column + 1))
         [ "$column" -lt 3 ] || flush
     done
     flush
 done
+mkdir -p "$images"
+rm -f "$images"/*.jpg
+find "$work/images" -name '*.jpg' -exec mv -t "$images" {} +
 mv "$work/page.md" "$page"
 echo "$page, $(du -sk "$images" | cut -f 1) KiB of pictures"
+exit "$failed"

@@ -30,6 +30,7 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 #ifdef _WIN32
 #include <io.h>
@@ -73,6 +74,18 @@ std::vector<ContestantChoice> GetChoices(const BenchmarkOptions& options, PlanSi
 }
 
 //--------------------------------------------------------------------------------------------------
+// Throws for techniques that there are not, before anything is run.
+void CheckTechniques(const BenchmarkOptions& options)
+{
+  std::vector<std::string> names;
+  for (const ContestantChoice& choice : GetChoices(options, PlanSize::Main))
+  {
+    names.push_back(choice.Technique);
+  }
+  SelectTechniques(PlanContestants(ListTechniques(), PlanSize::Main), names);
+}
+
+//--------------------------------------------------------------------------------------------------
 PlanSize GetPlanSize(const BenchmarkOptions& options, const BenchmarkScene& scene)
 {
   if (options.Quick || scene.Grows)
@@ -110,6 +123,8 @@ void WriteFile(const std::string& path, Write write)
   file.close();
   if (!file)
   {
+    std::error_code error;
+    std::filesystem::remove(unfinished, error);
     throw std::runtime_error(path + ": cannot be written");
   }
   std::filesystem::rename(unfinished, path);
@@ -205,26 +220,69 @@ void SetSceneTime(BenchmarkRunner& runner, double seconds)
 }
 
 //--------------------------------------------------------------------------------------------------
+// References are not of the budget's time. A quick run has no budget of the user's: it shall end in
+// time with them.
+bool PreparesFirst(const BenchmarkOptions& options)
+{
+  return options.ReferencesOnly || options.Budget > 0.0;
+}
+
+//--------------------------------------------------------------------------------------------------
+void CheckFailures(size_t failed, size_t all, const std::string& what)
+{
+  if (failed > 0)
+  {
+    throw std::runtime_error(
+      std::to_string(failed) + " of " + std::to_string(all) + " " + what + " failed");
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+// Returns the number of tables without references.
+size_t PreparePaper(const std::vector<PaperTable>& tables,
+  const std::vector<BenchmarkScene>& scenes, const BenchmarkRunner& runner)
+{
+  return std::count_if(tables.begin(), tables.end(),
+    [&](const PaperTable& table) { return !PreparePaperTable(table, scenes, runner); });
+}
+
+//--------------------------------------------------------------------------------------------------
+// Returns the number of scenes without references.
+size_t PrepareScenes(const BenchmarkOptions& options, const std::vector<BenchmarkScene>& scenes,
+  const BenchmarkRunner& runner)
+{
+  return std::count_if(scenes.begin(), scenes.end(),
+    [&](const BenchmarkScene& scene)
+    { return !runner.Prepare(scene, GetChoices(options, GetPlanSize(options, scene))); });
+}
+
+//--------------------------------------------------------------------------------------------------
 void RunPaper(const BenchmarkOptions& options, const std::vector<BenchmarkScene>& scenes,
   BenchmarkRunner& runner, const BenchmarkContext& context)
 {
-  const TimeLeft left(GetBudget(options));
   std::vector<PaperTable> tables = GetPaperTables(options.Paper);
+  for (PaperTable& table : tables)
+  {
+    table.Width = static_cast<int>(std::lround(options.PaperScale * table.Width));
+    table.Height = static_cast<int>(std::lround(options.PaperScale * table.Height));
+  }
+  const size_t unprepared = PreparesFirst(options) ? PreparePaper(tables, scenes, runner) : 0;
+  if (options.ReferencesOnly)
+  {
+    CheckFailures(unprepared, tables.size(), "tables");
+    return;
+  }
+  const TimeLeft left(GetBudget(options));
   nlohmann::ordered_json json = { { "context", ToJson(context) } };
   std::ostringstream text;
+  size_t failed = 0;
   for (size_t i = 0; i < tables.size(); ++i)
   {
-    tables[i].Width = static_cast<int>(std::lround(options.PaperScale * tables[i].Width));
-    tables[i].Height = static_cast<int>(std::lround(options.PaperScale * tables[i].Height));
-    if (options.ReferencesOnly)
-    {
-      PreparePaperTable(tables[i], scenes, runner);
-      continue;
-    }
     const double work = std::accumulate(tables.begin() + i, tables.end(), 0.0,
       [](double sum, const PaperTable& table) { return sum + WorkOf(table); });
     SetSceneTime(runner, left.Get() * WorkOf(tables[i]) / work);
     const PaperResult result = RunPaperTable(tables[i], scenes, runner);
+    failed += result.Scene.Failure.empty() ? 0 : 1;
     json["tables"].push_back(ToJson(result));
     WritePaperMarkdown(text, result);
     WritePaperMarkdown(std::cout, result);
@@ -233,25 +291,29 @@ void RunPaper(const BenchmarkOptions& options, const std::vector<BenchmarkScene>
     WriteFile(path + ".md", [&](std::ostream& os) { os << text.str(); });
     WriteFile(path + ".json", [&](std::ostream& os) { os << json.dump(1) << '\n'; });
   }
+  CheckFailures(failed, tables.size(), "tables");
 }
 
 //--------------------------------------------------------------------------------------------------
 void RunScenes(const BenchmarkOptions& options, const std::vector<BenchmarkScene>& scenes,
   BenchmarkRunner& runner, const BenchmarkContext& context)
 {
+  const size_t unprepared = PreparesFirst(options) ? PrepareScenes(options, scenes, runner) : 0;
+  if (options.ReferencesOnly)
+  {
+    CheckFailures(unprepared, scenes.size(), "scenes");
+    return;
+  }
   const TimeLeft left(GetBudget(options));
   BenchmarkResults results;
   results.Context = context;
+  size_t failed = 0;
   for (size_t i = 0; i < scenes.size(); ++i)
   {
     const auto choices = GetChoices(options, GetPlanSize(options, scenes[i]));
-    if (options.ReferencesOnly)
-    {
-      runner.Prepare(scenes[i], choices);
-      continue;
-    }
     SetSceneTime(runner, ShareOfTime(scenes, i, left.Get()));
     results.Scenes.push_back(runner.Run(scenes[i], choices));
+    failed += results.Scenes.back().Failure.empty() ? 0 : 1;
     // What has been measured so far survives whatever happens next.
     WriteNumbers(options, results);
     if (!scenes[i].Grows || i + 1 == scenes.size())
@@ -259,12 +321,9 @@ void RunScenes(const BenchmarkOptions& options, const std::vector<BenchmarkScene
       WriteDocument(options, results);
     }
   }
-  if (!options.ReferencesOnly)
-  {
-    WriteFile(
-      options.Output + "/benchmark.html", [&](std::ostream& os) { WriteHtml(os, results); });
-    ShowLine("Written: benchmark.json, .csv, .html and .md in " + options.Output, true);
-  }
+  WriteFile(options.Output + "/benchmark.html", [&](std::ostream& os) { WriteHtml(os, results); });
+  ShowLine("Written: benchmark.json, .csv, .html and .md in " + options.Output, true);
+  CheckFailures(failed, scenes.size(), "scenes");
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -275,6 +334,7 @@ void RunBenchmark(const BenchmarkOptions& options)
     WriteBenchmarkMeshes(options.MeshFolder);
     return;
   }
+  CheckTechniques(options);
   const std::vector<BenchmarkScene> scenes = GetScenes(options);
   if (options.List)
   {

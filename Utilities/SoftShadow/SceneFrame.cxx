@@ -67,17 +67,14 @@ void SceneFrame::Render()
 }
 
 //--------------------------------------------------------------------------------------------------
-double SceneFrame::Converge(double tolerance, int frames)
+void SceneFrame::Converge(double tolerance, int frames)
 {
   this->Pass->ProgressiveOn();
   this->Pass->SetProgressiveTolerance(tolerance);
-  double total = 0.0;
   do
   {
     this->Render();
-    total += this->Milliseconds;
   } while (this->Pass->GetRefining() && --frames > 0);
-  return total;
 }
 
 //--------------------------------------------------------------------------------------------------

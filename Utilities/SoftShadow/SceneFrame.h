@@ -34,9 +34,9 @@ public:
 
   /**
    * Renders frames in progressive mode until the pass has converged to the tolerance or cannot any
-   * more, at most so many. Returns the milliseconds of all of them.
+   * more, at most so many.
    */
-  double Converge(double tolerance, int frames);
+  void Converge(double tolerance, int frames);
 
   ///@{
   /// Of the last frame, top row first.

@@ -5,6 +5,7 @@
 
 #include "DifferencePicture.h"
 #include "PassImages.h"
+#include "ScopedFlag.h"
 #include "VisibilityPicture.h"
 
 #include "vtkCamera.h"
@@ -87,7 +88,7 @@ void ViewerFrame::Draw()
   {
     return;
   }
-  this->Drawing = true;
+  const ScopedFlag drawing(this->Drawing);
   const bool isFirst = this->Width == 0;
   this->FitRoom();
   if (isFirst)
@@ -106,7 +107,6 @@ void ViewerFrame::Draw()
   this->Window->WaitForCompletion();
   this->Times.Begin();
   this->Window->Render();
-  this->Drawing = false;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -124,6 +124,15 @@ void ViewerFrame::FitRoom()
     &this->Width, &this->Height, &this->Room.X, &this->Room.Y);
   this->Room.Width = this->Width;
   this->Room.Height = this->Height;
+}
+
+//--------------------------------------------------------------------------------------------------
+bool ViewerFrame::HasRoomsSize()
+{
+  int size[2];
+  int origin[2];
+  this->Scene.GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  return size[0] == this->Width && size[1] == this->Height;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -164,6 +173,7 @@ bool ViewerFrame::IsWaiting() const
   }
   return this->State.HasLight() &&
     (!this->Meter.IsStarted() || this->Meter.IsRunning() ||
+      this->Meter.IsRunning() != this->ShownRunning ||
       this->Meter.GetReference() != this->MeasuredWith);
 }
 
@@ -185,8 +195,10 @@ bool ViewerFrame::Rest()
   {
     return true;
   }
-  const bool isRefined = this->Meter.GetReference() != this->MeasuredWith;
-  if (isRefined || now - this->LastNews >= NewsTime)
+  // A trace that failed ends without another reference.
+  const bool hasNews = this->Meter.IsRunning() != this->ShownRunning ||
+    this->Meter.GetReference() != this->MeasuredWith;
+  if (hasNews || now - this->LastNews >= NewsTime)
   {
     this->LastNews = now;
     return true;
@@ -204,6 +216,12 @@ void ViewerFrame::SceneDrawn()
     this->MeasuredWith.reset();
   }
   this->Visibility.clear();
+  if (!this->HasRoomsSize())
+  {
+    this->Rmse = NaN;
+    this->Image.Hide();
+    return;
+  }
   this->UpdateError();
   this->UpdateImage();
   this->UpdateMenu();
@@ -219,6 +237,7 @@ std::vector<float> ViewerFrame::ReadVisibility(int light)
 //--------------------------------------------------------------------------------------------------
 void ViewerFrame::UpdateError()
 {
+  this->ShownRunning = this->Meter.IsRunning(); // before the reference: its end is then news
   const auto reference = this->Meter.GetReference();
   if (!reference)
   {

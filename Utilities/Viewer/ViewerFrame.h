@@ -106,9 +106,11 @@ private:
   Clock::time_point LastNews;
   std::vector<float> Visibility; ///< Of the selected light in the last frame, if it was needed.
   double Rmse;
+  bool ShownRunning = false; ///< Whether the reference was being traced in the last frame.
   std::shared_ptr<const BackgroundReference::Result> MeasuredWith;
 
   void FitRoom();
+  bool HasRoomsSize(); ///< False if the window became another while it was drawn.
   void NoteMoves();
   void SceneDrawn(); ///< And the layers above not yet.
   void UpdateError();

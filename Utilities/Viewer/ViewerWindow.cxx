@@ -5,6 +5,7 @@
 
 #include "DifferencePicture.h"
 #include "KeyBindings.h"
+#include "ScopedFlag.h"
 #include "ViewerFiles.h"
 
 #include "vtkCallbackCommand.h"
@@ -97,17 +98,17 @@ void ViewerWindow::OnEvent(vtkObject*, unsigned long event, void* self, void*)
 //--------------------------------------------------------------------------------------------------
 bool ViewerWindow::Handle(unsigned long event)
 {
+  if (!this->Window->GetGenericWindowId())
+  {
+    return false; // a timer may fire once more after the window was closed
+  }
   switch (event)
   {
     case vtkCommand::RenderEvent:
       this->Draw();
       return false;
     case vtkCommand::TimerEvent:
-      if (this->Frame->Rest())
-      {
-        this->Draw();
-      }
-      this->Wait();
+      this->HandleTimer();
       return false;
     case vtkCommand::KeyPressEvent:
     {
@@ -119,6 +120,17 @@ bool ViewerWindow::Handle(unsigned long event)
     default:
       return this->HandleMouse(event);
   }
+}
+
+//--------------------------------------------------------------------------------------------------
+void ViewerWindow::HandleTimer()
+{
+  const ScopedFlag inTimer(this->InTimer);
+  if (this->Frame->Rest())
+  {
+    this->Draw();
+  }
+  this->Wait();
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -202,8 +214,10 @@ void ViewerWindow::Wait()
   {
     this->Timer = this->Interactor->CreateRepeatingTimer(TimerMilliseconds);
   }
-  else if (!isWaiting && this->Timer != 0)
+  else if (!isWaiting && this->Timer != 0 && !this->InTimer)
   {
+    // Not in its own event: VTK walks its list of timers then. The next frame that a key or the mouse
+    // asks for ends it.
     this->Interactor->DestroyTimer(this->Timer);
     this->Timer = 0;
   }

@@ -69,10 +69,12 @@ private:
   std::unique_ptr<ViewerFrame> Frame;
   bool NeedsDrawing = false;
   bool PressedOnMenu = false;
-  int Timer = 0; ///< 0: none.
+  int Timer = 0;        ///< 0: none.
+  bool InTimer = false; ///< While the timer's event is handled.
 
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void* data);
   bool Handle(unsigned long event); ///< True: nobody else shall have the event.
+  void HandleTimer();
   bool HandleMouse(unsigned long event);
   void Draw();
   void Wait();

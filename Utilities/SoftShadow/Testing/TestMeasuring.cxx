@@ -152,8 +152,9 @@ TEST_F(Measuring, BenchmarkReportsGoodAndBrokenScenes)
   const ToolResult run = this->Run(
     "benchmark --scenes scenes --output out --only square,torn --rounds 2 --reference-samples 256"
     " --contestant plain --contestant 'sampled samples=4 map_size=256'");
-  EXPECT_EQ(run.ExitCode, 0) << run.Output;
+  EXPECT_EQ(run.ExitCode, 1) << run.Output;
   EXPECT_NE(run.Output.find("torn.json:"), std::string::npos) << run.Output;
+  EXPECT_NE(run.Output.find("1 of 2 scenes failed"), std::string::npos) << run.Output;
   const nlohmann::json json = this->ReadJson("out/benchmark.json");
   const nlohmann::json& scenes = json.at("soft_shadows").at("scenes");
   ASSERT_EQ(scenes.size(), 2U);
@@ -168,6 +169,35 @@ TEST_F(Measuring, BenchmarkReportsGoodAndBrokenScenes)
   const ToolResult unknown = this->Run("benchmark --scenes scenes --output out --only round");
   EXPECT_NE(unknown.ExitCode, 0);
   EXPECT_NE(unknown.Output.find("square"), std::string::npos) << "names what there is";
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(Measuring, BenchmarkRefusesUnknownContestants)
+{
+  std::filesystem::create_directories(this->Folder / "scenes");
+  this->Write("scenes/square.json", SquareScene);
+  const ToolResult run =
+    this->Run("benchmark --scenes scenes --output out --only square --contestant nonsense");
+  EXPECT_EQ(run.ExitCode, 1) << run.Output;
+  EXPECT_NE(run.Output.find("no technique nonsense"), std::string::npos) << run.Output;
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "out")) << "nothing was begun";
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(Measuring, BenchmarkTracesReferencesBeforeItsBudgetBegins)
+{
+  std::filesystem::create_directories(this->Folder / "scenes");
+  this->Write("scenes/square.json", SquareScene);
+  this->Write("scenes/torn.json", "{ \"version\": 1,");
+  const std::string benchmark = "benchmark --scenes scenes --output out --only square,torn"
+                                " --rounds 1 --reference-samples 16 --contestant plain ";
+  const ToolResult prepared = this->Run(benchmark + "--references-only");
+  EXPECT_EQ(prepared.ExitCode, 1) << prepared.Output;
+  EXPECT_NE(prepared.Output.find("1 of 2 scenes failed"), std::string::npos) << prepared.Output;
+  const ToolResult run = this->Run(benchmark + "--budget 20");
+  const std::size_t reference = run.Output.find("square: reference is there");
+  ASSERT_NE(reference, std::string::npos) << run.Output;
+  EXPECT_LT(reference, run.Output.find("square: plain")) << run.Output;
 }
 
 #endif

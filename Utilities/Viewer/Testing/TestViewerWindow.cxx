@@ -7,6 +7,7 @@
 #include "SceneReader.h"
 #include "Silhouettes.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkUnsignedCharArray.h"
@@ -162,6 +163,28 @@ TEST_F(ViewerWindows, ShowsTheErrorOnceTheViewRests)
   EXPECT_NE(this->Frame().GetRmse(), rmse);
   this->Press("a");
   EXPECT_TRUE(std::isnan(this->Frame().GetRmse()));
+}
+
+//--------------------------------------------------------------------------------------------------
+// A window that is resized while the scene is drawn: no values of the wrong size are read.
+TEST_F(ViewerWindows, SurvivesAResizeDuringADraw)
+{
+  this->Open();
+  this->Rest(16);
+  vtkRenderer* renderer = this->Frame().GetScene().GetRenderer();
+  vtkRenderWindow* window = this->Window->GetWindow();
+  vtkNew<vtkCallbackCommand> resize;
+  resize->SetClientData(window);
+  resize->SetCallback([](vtkObject*, unsigned long, void* resized, void*)
+    { static_cast<vtkRenderWindow*>(resized)->SetSize(640, 480); });
+  const unsigned long tag = renderer->AddObserver(vtkCommand::StartEvent, resize);
+  this->State->SetView(1);
+  EXPECT_NO_THROW(this->Frame().Draw());
+  EXPECT_TRUE(std::isnan(this->Frame().GetRmse()));
+  renderer->RemoveObserver(tag);
+  const int before = this->Frame().GetWidth();
+  this->Frame().Draw();
+  EXPECT_LT(this->Frame().GetWidth(), before) << "and the next frame has the new size";
 }
 
 //--------------------------------------------------------------------------------------------------
