@@ -154,7 +154,7 @@ void vtkBilateralSoftShadowPass::Internals::DrawBatch(vtkBilateralSoftShadowPass
   }
   program->SetUniformi("mapDirectional", context.Emitter.Directional ? 1 : 0);
   // The texture starts at -1, no value.
-  program->SetUniformf("base", isFirst ? 1.0f : 0.0f);
+  program->SetUniformf("madeUp", isFirst ? 1.0f : 0.0f);
   program->SetUniformf(
     "litWeight", isFirst ? samples.LitWeight / static_cast<float>(context.Emitter.Weight) : 0.0f);
   vtkShadowTextureArray* texture = this->Current->Maps->GetTexture();

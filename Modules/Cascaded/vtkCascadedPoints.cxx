@@ -3,7 +3,6 @@
 #include "vtkCascadedPoints.h"
 
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -46,54 +45,24 @@ double FindOffset(const vtkShadowEmitter& light, const vtkShadowEmitter& point, 
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkCascadedPoints::vtkCascadedPoints(const vtkShadowEmitter& emitter,
-  const std::array<double, 16>& viewToWorld, const vtkShadowMapView* views, const float* weights,
-  size_t count)
+vtkCascadedPoints::vtkCascadedPoints(const vtkShadowEmitter& emitter, const vtkShadowMapView* views,
+  const float* weights, size_t count)
 {
-  double mapToView[16] = {};
   for (size_t i = 0; i < count; ++i)
   {
-    double viewToMap[16];
-    vtkMatrix4x4::Multiply4x4(views[i].WorldToMap().data(), viewToWorld.data(), viewToMap);
-    if (i == 0)
-    {
-      vtkMatrix4x4::Invert(viewToMap, mapToView);
-      for (int row = 0; row < 4; ++row)
-      {
-        for (int column = 0; column < 4; ++column)
-        {
-          this->ViewToBase[4 * column + row] = static_cast<float>(viewToMap[4 * row + column]);
-        }
-      }
-      vtkShadowMapView whole = views[0];
-      whole.Emitter.HalfSize = emitter.HalfSize;
-      this->CellScale = whole.GetKernelScale();
-      const double edge = emitter.Shape == vtkShadowEmitter::DISK ? DiskEdge : 1.0;
-      this->CellScale[0] *= edge;
-      this->CellScale[1] *= edge;
-    }
-    double baseToMap[16];
-    vtkMatrix4x4::Multiply4x4(viewToMap, mapToView, baseToMap);
-    this->AddPoint(baseToMap, weights[i], emitter, views[i].Emitter);
+    this->Points.push_back({ { weights[i], FindSide(FindOffset(emitter, views[i].Emitter, 0)),
+      FindSide(FindOffset(emitter, views[i].Emitter, 1)), 0.0f } });
+    this->Weight += weights[i];
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkCascadedPoints::AddPoint(const double baseToMap[16], float weight,
-  const vtkShadowEmitter& light, const vtkShadowEmitter& point)
-{
-  for (int row = 0; row < 3; ++row)
+  if (count > 0)
   {
-    Row affine;
-    for (int column = 0; column < 4; ++column)
-    {
-      affine[column] = static_cast<float>(baseToMap[4 * row + column] / baseToMap[15]);
-    }
-    this->Rows.push_back(affine);
+    vtkShadowMapView whole = views[0];
+    whole.Emitter.HalfSize = emitter.HalfSize;
+    this->CellScale = whole.GetKernelScale();
+    const double edge = emitter.Shape == vtkShadowEmitter::DISK ? DiskEdge : 1.0;
+    this->CellScale[0] *= edge;
+    this->CellScale[1] *= edge;
   }
-  this->Points.push_back({ { weight, FindSide(FindOffset(light, point, 0)),
-    FindSide(FindOffset(light, point, 1)), 0.0f } });
-  this->Weight += weight;
 }
 
 //------------------------------------------------------------------------------
@@ -109,8 +78,6 @@ void vtkCascadedPoints::SetUniforms(vtkShaderProgram* program, double cellEdge) 
   const float scale[2] = { static_cast<float>(cellEdge * this->CellScale[0]),
     static_cast<float>(cellEdge * this->CellScale[1]) };
   program->SetUniform2f("cellScale", scale);
-  program->SetUniformMatrix4x4("viewToBase", const_cast<float*>(this->ViewToBase.data()));
-  program->SetUniform4fv("baseToMaps", 3 * count, this->Rows.front().data());
   program->SetUniform4fv("points", count, this->Points.front().data());
 }
 VTK_ABI_NAMESPACE_END

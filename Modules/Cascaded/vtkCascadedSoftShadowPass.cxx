@@ -357,9 +357,13 @@ void vtkCascadedSoftShadowPass::Internals::DrawCascade(vtkCascadedSoftShadowPass
     program->SetUniformi("filterSize", set.FilterSize);
     program->SetUniformi("fixedFilter", self->Filter == FIXED ? 1 : 0);
     program->SetUniformi("wideFilter", self->Filter == WIDE ? 1 : 0);
-    vtkCascadedPoints(context.Emitter, context.Receivers->GetViewToWorld(),
-      set.Samples.Views.data() + run.First, set.Samples.Weights.data() + run.First,
-      run.Last - run.First)
+    const vtkShadowMapView* views = set.Samples.Views.data() + run.First;
+    const size_t pointCount = run.Last - run.First;
+    if (pointCount > 0)
+    {
+      vtkSoftShadowPass::SetAffineMapUniforms(program, context, views, pointCount);
+    }
+    vtkCascadedPoints(context.Emitter, views, set.Samples.Weights.data() + run.First, pointCount)
       .SetUniforms(program, 1.0 / self->SampleEdges[cascade]);
     vtkShadowTextureArray* texture = maps.GetMaps(set.Resolution)->GetTexture();
     program->SetUniformi("depthMaps", texture->Activate(context.Window));

@@ -338,6 +338,15 @@ protected:
     const vtkShadowMapView* views, const float* weights, size_t count, size_t firstLayer,
     int mapSize, int filterSize);
 
+  /**
+   * Sets viewToBase and baseToMaps of the views, at most VTK_SOFT_SHADOW_SAMPLES_PER_DRAW: a receiver is
+   * brought into the first one's map, and from there into each with three rows of a matrix. Points
+   * of one light lie in a plane and look at right angles to it, or are directions: their map
+   * coordinates are affine images of each other.
+   */
+  static void SetAffineMapUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
+    const vtkShadowMapView* views, size_t count);
+
   /// View to map coordinates, column-major as OpenGL takes it, composed in double.
   static void ViewToMap(
     const vtkSoftShadowContext& context, const vtkShadowMapView& view, float matrix[16]);

@@ -260,20 +260,37 @@ void vtkSoftShadowPass::SetSampleUniforms(vtkShaderProgram* program,
   const vtkSoftShadowContext& context, const vtkShadowMapView* views, const float* weights,
   size_t count, size_t firstLayer, int mapSize, int filterSize)
 {
-  std::array<float, 16 * VTK_SOFT_SHADOW_SAMPLES_PER_DRAW> matrices;
-  for (size_t i = 0; i < count; ++i)
-  {
-    vtkSoftShadowPass::ViewToMap(context, views[i], &matrices[16 * i]);
-  }
   program->SetUniformi("sampleCount", static_cast<int>(count));
   program->SetUniformf("firstLayer", static_cast<float>(firstLayer));
   program->SetUniformf("depthMapSize", static_cast<float>(mapSize));
   program->SetUniformi("filterSize", filterSize);
   if (count > 0)
   {
-    program->SetUniformMatrix4x4v("viewToMaps", static_cast<int>(count), matrices.data());
+    vtkSoftShadowPass::SetAffineMapUniforms(program, context, views, count);
     program->SetUniform1fv("sampleWeights", static_cast<int>(count), weights);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::SetAffineMapUniforms(vtkShaderProgram* program,
+  const vtkSoftShadowContext& context, const vtkShadowMapView* views, size_t count)
+{
+  float viewToBase[16];
+  vtkSoftShadowPass::ViewToMap(context, views[0], viewToBase);
+  program->SetUniformMatrix4x4("viewToBase", viewToBase);
+  double baseToWorld[16];
+  vtkMatrix4x4::Invert(views[0].WorldToMap().data(), baseToWorld);
+  std::array<float[4], 3 * VTK_SOFT_SHADOW_SAMPLES_PER_DRAW> rows;
+  for (size_t i = 0; i < count; ++i)
+  {
+    double baseToMap[16];
+    vtkMatrix4x4::Multiply4x4(views[i].WorldToMap().data(), baseToWorld, baseToMap);
+    for (size_t entry = 0; entry < 12; ++entry)
+    {
+      rows[3 * i + entry / 4][entry % 4] = static_cast<float>(baseToMap[entry] / baseToMap[15]);
+    }
+  }
+  program->SetUniform4fv("baseToMaps", static_cast<int>(3 * count), rows.data());
 }
 
 //------------------------------------------------------------------------------

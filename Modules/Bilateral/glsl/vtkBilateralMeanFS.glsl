@@ -12,19 +12,20 @@
 uniform vec2 depthToLinears[SOFT_SHADOW_SAMPLES_PER_DRAW]; // positional: 1 / z = a + b d, else z
 uniform int mapDirectional;
 uniform float litWeight; // of the points that see everything
-uniform float base;      // what -1, no value, is made up by
+uniform float madeUp;    // what -1, no value, is made up by
 
 void main()
 {
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
+  MapFrame frame = toFrame(viewToBase, receiver.positionVs, receiver.normalVs);
   float facing = litWeight;
   float visibility = litWeight;
   float reaches = 0.0;
   float behind = 0.0; // of the points behind the plane, those that nothing else hides
   for (int i = 0; i < sampleCount; ++i)
   {
-    MapPoint point = toMap(viewToMaps[i], receiver.positionVs, receiver.normalVs);
+    MapPoint point = toSampleMap(frame, i);
     float depth = mapDepth(point.std.xy, firstLayer + float(i));
     bool isHidden = isBlocker(point, point.std.xy, depth);
     // A plane that the camera sees from behind is its own blocker.
@@ -46,5 +47,5 @@ void main()
       : -difference / (depthToLinears[i].x + depthToLinears[i].y * point.std.z);
     reaches += sampleWeights[i] * max(reach, 0.0);
   }
-  gl_FragData[0] = vec4(base + facing, visibility, reaches, behind);
+  gl_FragData[0] = vec4(madeUp + facing, visibility, reaches, behind);
 }

@@ -44,15 +44,8 @@ struct Sample
 Sample toSample(MapFrame base, int i)
 {
   vec4 rows[3] = vec4[3](baseToMaps[3 * i], baseToMaps[3 * i + 1], baseToMaps[3 * i + 2]);
-  MapFrame frame = base;
-  vec4 std = vec4(base.std, 1.0);
-  frame.std = vec3(dot(rows[0], std), dot(rows[1], std), dot(rows[2], std));
-  // Planes are multiplied by the matrix' cofactors.
-  frame.normal = vec3(dot(cross(rows[1].xyz, rows[2].xyz), base.normal),
-    dot(cross(rows[2].xyz, rows[0].xyz), base.normal),
-    dot(cross(rows[0].xyz, rows[1].xyz), base.normal));
   Sample result;
-  result.point = toPoint(frame);
+  result.point = toPoint(moveFrame(base, rows[0], rows[1], rows[2]));
   result.cell = cellScale * abs(vec2(rows[0].x, rows[1].y) / rows[2].z);
   result.layer = firstLayer + float(i);
   return result;

@@ -69,6 +69,17 @@ MapFrame toFrame(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
   return frame;
 }
 
+// The frame in another map, which is an affine image of this one: rows of the matrix from (s, t, d, 1).
+MapFrame moveFrame(MapFrame frame, vec4 rowS, vec4 rowT, vec4 rowD)
+{
+  vec4 std = vec4(frame.std, 1.0);
+  frame.std = vec3(dot(rowS, std), dot(rowT, std), dot(rowD, std));
+  // Planes are multiplied by the matrix' cofactors.
+  frame.normal = vec3(dot(cross(rowT.xyz, rowD.xyz), frame.normal),
+    dot(cross(rowD.xyz, rowS.xyz), frame.normal), dot(cross(rowS.xyz, rowT.xyz), frame.normal));
+  return frame;
+}
+
 MapPoint toPoint(MapFrame frame)
 {
   MapPoint point;

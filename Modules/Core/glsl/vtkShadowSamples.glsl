@@ -2,11 +2,20 @@
 // Needs vtkShadowDepthMap. With SOFT_SHADOW_GATHER defined, and textureGather at hand, four texels
 // are read at a time.
 
-uniform mat4 viewToMaps[SOFT_SHADOW_SAMPLES_PER_DRAW];
+// The points' maps are affine images of one of them, the base: a row for each of s, t and d.
+uniform mat4 viewToBase;
+uniform vec4 baseToMaps[3 * SOFT_SHADOW_SAMPLES_PER_DRAW];
 uniform float sampleWeights[SOFT_SHADOW_SAMPLES_PER_DRAW];
 uniform int sampleCount;
 uniform float firstLayer;
 uniform int filterSize; // edge of the percentage-closer filter in texels; 1: a single tap
+
+// The receiver in the map of point i.
+MapPoint toSampleMap(MapFrame base, int i)
+{
+  return toPoint(
+    moveFrame(base, baseToMaps[3 * i], baseToMaps[3 * i + 1], baseToMaps[3 * i + 2]));
+}
 
 // How much of texel i of the box lies inside it, along one axis; cut is what its border cuts off the
 // first one.
@@ -71,10 +80,11 @@ float hardVisibility(MapPoint point, float layer)
 // The weighted sum over the points of this draw.
 float sampledVisibility(Receiver receiver)
 {
+  MapFrame base = toFrame(viewToBase, receiver.positionVs, receiver.normalVs);
   float visibility = 0.0;
   for (int i = 0; i < sampleCount; ++i)
   {
-    MapPoint point = toMap(viewToMaps[i], receiver.positionVs, receiver.normalVs);
+    MapPoint point = toSampleMap(base, i);
     // A plane that the camera sees from behind is its own blocker, within the bias of the map.
     if (point.facesCenter)
     {
