@@ -39,6 +39,8 @@ constexpr float SnapTolerance = 0.5f;
 constexpr float WidthTolerance = 0.5f;
 // The filter's rows are kept in parts that end at these shares of their half width, and at 1.
 constexpr double FilterNodes[2] = { 0.5, 0.8 };
+// A tap on a node belongs to the part beyond it, however it was rounded.
+constexpr double NodeSlack = 1e-4;
 
 struct LightThresholds
 {
@@ -55,7 +57,7 @@ public:
   vtkSeparableStep Columns{ vtkSeparableColumnsFS };
   vtkSeparableStep Visibility{ vtkSeparableVisibilityFS };
 
-  vtkNew<vtkShadowTextureArray> Points;     // RGBA32F: s, t, d, 1 lit or 2 blocked
+  vtkNew<vtkShadowTextureArray> Points;     // RGBA32F: s, t, d, reach; < 0: blocked
   vtkNew<vtkShadowTextureArray> SearchRows; // RGBA32F: sum, number to the node; sum, number beyond
   vtkNew<vtkShadowTextureArray> FilterRows; // RGBA32F: blocked weights in three parts, depth gap
   vtkSeparableReuseCount Reuse;
@@ -244,7 +246,8 @@ std::array<float, 3> vtkSeparableSoftShadowPass::GetRowWeights(
     const double window = center + halfSize * tap;
     const double weight = this->HasGaussianWeights() ? std::exp(-2.0 * window * window) : 1.0;
     const double x = std::abs(tap);
-    weights[x < FilterNodes[0] ? 0 : (x < FilterNodes[1] ? 1 : 2)] += static_cast<float>(weight);
+    const int part = x < FilterNodes[0] - NodeSlack ? 0 : (x < FilterNodes[1] - NodeSlack ? 1 : 2);
+    weights[part] += static_cast<float>(weight);
   }
   return weights;
 }

@@ -47,10 +47,10 @@ public:
   enum ReuseType
   {
     /**
-     * Its point lies within a share of the kernel's own depth off the receiver's plane: of the
-     * depth that the search spans (Alpha), of the depth between receiver and blockers (Beta). Depths
-     * are map depths, to which the kernels' widths are proportional, so the shares are also those by
-     * which the row is too wide or too narrow. A near object never reuses rows of what lies
+     * Its point lies within a share of a depth off the receiver's plane: of the receiver's own map
+     * depth (Alpha), of the depth between receiver and blockers (Beta). Widths of kernels are
+     * proportional to map depths; a row of the search or of the filter may be wider or narrower than
+     * the kernel by half. A near object never reuses rows of what lies
      * behind it, whatever the size of the scene.
      */
     REUSE_BY_KERNEL = 0,
@@ -141,7 +141,8 @@ public:
   /**
    * The share of rows that were reused in a stage, in [0, 1]: the mean over all emitters that filtered
    * the pixel, and over all these pixels. The image is float, one component, the viewport's size,
-   * bottom row first, NaN where nothing was filtered; null, and 0, if nothing was counted.
+   * bottom row first, NaN where nothing was filtered; of the last frame that counted; null, and 0,
+   * if none did.
    */
   vtkSmartPointer<vtkImageData> GetReuseImage(int stage);
   double GetReuseShare(int stage);

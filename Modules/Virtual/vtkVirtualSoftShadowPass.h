@@ -73,7 +73,7 @@ public:
   ///@{
   /**
    * Cuts the single map of a pass that is not adaptive into 2^FixedLevels tiles along an edge, in
-   * [0, 6]; the result is the same. Default is 0.
+   * [0, 6]; the result is the same for kernels below 160 texels. Default is 0.
    */
   vtkSetClampMacro(FixedLevels, int, 0, 6);
   vtkGetMacro(FixedLevels, int);
@@ -132,10 +132,11 @@ public:
 
   ///@{
   /**
-   * Blocks along an edge of the blocker search, in [1, 128], for each octave of distances from the
-   * receiver; a region of fewer texels is searched completely. Default is 24.
+   * Blocks along an edge of the blocker search, in [1, 64], for each octave of distances from the
+   * receiver; a region of fewer texels is searched completely. Software rasterisers end a shader's
+   * loops after 65535 rounds, hence the limit. Default is 24.
    */
-  vtkSetClampMacro(SearchWidth, int, 1, 128);
+  vtkSetClampMacro(SearchWidth, int, 1, 64);
   vtkGetMacro(SearchWidth, int);
   ///@}
 

@@ -33,7 +33,8 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
   vec2 extent = (high - low) * depthMapSize;
   int level = int(max(ceil(log2(max(max(extent.x, extent.y), 1.0) / 3.0)) - 1.0, 0.0));
   vec2 size = vec2(textureSize(depthPyramid, 0).xy);
-  level = sameInQuad(min(level, int(log2(size.x))));
+  int most = int(log2(size.x));
+  level = min(sameInQuad(min(level, most)), most);
   if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, vec2(1.0))))
   {
     return range;

@@ -30,11 +30,11 @@ bool canReuse(MapPoint point, float reach, vec4 other, vec2 expected)
   {
     return abs(linearDepth(other.z) - linearDepth(point.std.z)) < reusePublishedLimits.x;
   }
-  // A row that was searched from another plane is as wrong as its distance is large beside the
-  // distance that the search spans.
+  // A row that was searched from another plane is as wrong as its distance is large.
+  float otherReach = abs(other.w);
   return offPlane(point, other.xyz) < alpha * point.std.z &&
     isNear(other.xyz, expected, kernelScale * reach) &&
-    abs(abs(other.w) - reach) <= reachTolerance * reach;
+    (otherReach <= leastReach || abs(otherReach - reach) <= reachTolerance * reach);
 }
 
 // Sum and number of the blockers, all rows read from the map.
@@ -144,9 +144,9 @@ void addMiddleRow(MapPoint point, float halfWidth, float beside, int taps, inout
     vec2 st = point.std.xy + x * halfWidth * rowAxis + beside * columnAxis;
     if (isBlocked(point, st, mapLayer))
     {
-      row.xyz += abs(x) < filterNodes.x
+      row.xyz += abs(x) < filterNodes.x - nodeSlack
         ? vec3(tapShare, 0.0, 0.0)
-        : (abs(x) < filterNodes.y ? vec3(0.0, tapShare, 0.0) : vec3(0.0, 0.0, tapShare));
+        : (abs(x) < filterNodes.y - nodeSlack ? vec3(0.0, tapShare, 0.0) : vec3(0.0, 0.0, tapShare));
     }
   }
 }

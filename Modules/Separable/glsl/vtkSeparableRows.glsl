@@ -5,6 +5,8 @@
 // from it later. The parts end at these shares of the half width; the last one ends at 1.
 const float searchNode = 0.7;
 const vec2 filterNodes = vec2(0.5, 0.8);
+// A tap on a node belongs to the part beyond it, however it was rounded.
+const float nodeSlack = 1e-4;
 
 //SoftShadows::Include vtkShadowProof
 
@@ -41,6 +43,9 @@ float chordAt(float y)
 {
   return emitterDisk == 1 ? sqrt(max(1.0 - y * y, 0.0)) : 1.0;
 }
+
+// Of a pixel whose row meets nothing; 0 would say that there is no receiver.
+const float leastReach = 1e-12;
 
 // How far in front of the receiver blockers are searched, in depth.
 float searchReach(MapPoint point)

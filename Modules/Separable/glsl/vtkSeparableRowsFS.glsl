@@ -13,8 +13,6 @@
 uniform mat4 viewToMap;
 uniform int provedByFootprint; // 1: the pixels of this draw were proved lit or blocked
 
-const float leastReach = 1e-12; // 0 says that there is no receiver
-
 // Sum and number of the row's blockers, up to the node and beyond it.
 vec4 searchRow(MapPoint point, float reach)
 {
@@ -37,21 +35,22 @@ vec4 searchRow(MapPoint point, float reach)
 void main()
 {
   Receiver receiver;
-  if (!loadReceiver(ivec2(gl_FragCoord.xy), receiver) || !lightReaches(receiver.positionVs))
+  bool served = loadReceiver(ivec2(gl_FragCoord.xy), receiver) && lightReaches(receiver.positionVs);
+  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  if (!served)
+  {
+    point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true);
+  }
+  // Every pixel of a quad comes here: the pyramid is looked up on one level for the four of them.
+  float reach = searchReach(point);
+  if (!served)
   {
     discard;
   }
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
   bool blocked = isBlocked(point, point.std.xy, mapLayer);
   // No ray to the light meets a blocker where a pixel was proved lit.
   bool lit = provedByFootprint == 1 && !blocked && point.facesCenter;
-  float reach = 0.0;
-  vec4 row = vec4(0.0);
-  if (!lit)
-  {
-    reach = searchReach(point);
-    row = searchRow(point, reach);
-  }
+  reach = lit ? 0.0 : reach;
   gl_FragData[0] = vec4(point.std, (blocked ? -1.0 : 1.0) * max(reach, leastReach));
-  gl_FragData[1] = row;
+  gl_FragData[1] = reach > 0.0 ? searchRow(point, reach) : vec4(0.0);
 }

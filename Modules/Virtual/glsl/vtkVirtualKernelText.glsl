@@ -94,7 +94,8 @@ Strip stripOf(Kernel kernel, bool disk, vec2 center, float index)
     weight = (gaussianIntegral(kernel.window.x + to * perTexel) -
                gaussianIntegral(kernel.window.x + from * perTexel)) / perTexel;
   }
-  float share = halfHeight / max(smeared, 1e-20);
+  // A sliver whose chord rounds to nothing still has a slope in the window.
+  float share = max(halfHeight / max(smeared, 1e-20), 1e-6);
   return Strip(weight * share, middle - smeared, middle + smeared, kernel.gaussian, middle,
     kernel.window.y, kernel.window.w * share / kernel.across);
 }

@@ -17,6 +17,7 @@ uniform float mapLayer;
 uniform int searchWidth;     // blocks along an edge of the search
 uniform int emitterDisk;
 uniform int kernelGaussian;
+uniform vec4 emitterWindow;  // middle and half size of this emitter in the whole light's window
 uniform int usePyramid;      // to prove pixels lit and to narrow the search
 uniform int antialiasing;
 uniform vec4 texelPolynomial;
@@ -35,7 +36,9 @@ const int mostShells = 12;
 int levelOf(vec2 reach)
 {
   float blocks = 2.0 * max(reach.x, reach.y) / float(searchWidth);
-  return int(max(ceil(log2(max(blocks, 1e-6))), 0.0));
+  // The pyramid's first level is the blocks of two texels.
+  int most = int(log2(float(textureSize(depthPyramid, 0).x)) + 0.5) + 1;
+  return min(int(max(ceil(log2(max(blocks, 1e-6))), 0.0)), most);
 }
 
 // Length of [low, high] within [from, to].
@@ -200,11 +203,16 @@ float shareInFront(MapPoint point)
   float facing = 1.0;
   if (kernelGaussian == 1)
   {
-    // As if the normal distribution's cut had no corners: exact along the axes.
-    float distance = 1.0 / max(length(a), 1e-6);
-    float extent = emitterDisk == 1 ? 1.0 : (a.x + a.y) * distance;
-    facing = distance < extent
-      ? 0.5 + 0.5 * gaussianIntegral(distance) / gaussianIntegral(extent) : 1.0;
+    // Along the way to the horizon, in the whole light's window, as if the normal distribution's cut
+    // had no corners: exact along the axes.
+    vec2 g = point.gradient * kernelScale / emitterWindow.zw;
+    float steep = max(length(g), 1e-6);
+    vec2 way = -g / steep;
+    float middle = dot(way, emitterWindow.xy);
+    float extent = emitterDisk == 1 ? emitterWindow.z : dot(abs(way), emitterWindow.zw);
+    float low = gaussianIntegral(middle - extent);
+    facing = (gaussianIntegral(middle + min(1.0 / steep, extent)) - low) /
+      (gaussianIntegral(middle + extent) - low);
   }
   else if (emitterDisk == 1)
   {

@@ -34,11 +34,10 @@ const float leastTexels = 16.0;
 // How many texels along each axis count as one: a block as coarse as a texel was predicted to be.
 vec2 strideOf(vec2 wantedTexels, Kernel kernel)
 {
-  vec2 extent = kernel.transposed ? vec2(kernel.across, kernel.along)
-                                  : vec2(kernel.along, kernel.across + abs(kernel.lean));
-  vec2 wanted = min(coarseness * wantedTexels, 2.0 * extent / leastTexels);
-  wanted = max(wanted, 2.0 * extent / mostTexels);
-  return max(floor(wanted), vec2(1.0));
+  vec2 extent = vec2(kernel.along, kernel.across + abs(kernel.lean));
+  extent = kernel.transposed ? extent.yx : extent;
+  vec2 wanted = floor(min(coarseness * wantedTexels, 2.0 * extent / leastTexels));
+  return max(max(wanted, ceil(2.0 * extent / mostTexels)), vec2(1.0));
 }
 
 // The texel that stands for a block, in (s, t): another place in each row and column (multiples of
@@ -135,7 +134,8 @@ void main()
   vec2 horizon = fract(shape.w) == 0.0 && point.facesCenter
     ? vec2(0.0)
     : point.gradient * kernelScale;
-  vec3 sums = filterTile(point, kernel, stride, disk, margin, horizon) * (texel.x * texel.y * stride.x * stride.y);
+  vec2 block = texel * stride;
+  vec3 sums = filterTile(point, kernel, stride, disk, margin, horizon) * (block.x * block.y);
   if (debugView == VIRTUAL_DEBUG_TILES)
   {
     sums.x = sums.y * debugShade;
