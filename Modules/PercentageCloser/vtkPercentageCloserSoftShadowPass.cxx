@@ -45,7 +45,8 @@ void vtkPercentageCloserSoftShadowPass::AddVisibility(const vtkSoftShadowContext
   this->SetMapUniforms(
     program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
   vtkShadowTextureArray* texture = context.Maps->GetTexture();
-  program->SetUniformi("depthMaps", texture->Activate());
+  const int mapsUnit = texture->Activate();
+  program->SetUniformi("depthMaps", mapsUnit);
   program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
   program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
   // All taps of a light without extent are the same one.
@@ -54,11 +55,14 @@ void vtkPercentageCloserSoftShadowPass::AddVisibility(const vtkSoftShadowContext
   program->SetUniformi("filterWidth", hasExtent ? this->FilterWidth : 1);
   program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
   // Not read without footprint: any texture of its kind will do.
-  vtkShadowTextureArray* pyramid = this->Footprint ? context.Pyramid->GetTexture() : texture;
-  program->SetUniformi("depthPyramid", pyramid->Activate());
+  vtkShadowTextureArray* pyramid = this->Footprint ? context.Pyramid->GetTexture() : nullptr;
+  program->SetUniformi("depthPyramid", pyramid ? pyramid->Activate() : mapsUnit);
   program->SetUniformi("footprint", this->Footprint ? 1 : 0);
   this->DrawFiltered(this->Shader);
-  pyramid->Deactivate();
+  if (pyramid)
+  {
+    pyramid->Deactivate();
+  }
   texture->Deactivate();
   context.Receivers->Deactivate();
 }

@@ -215,6 +215,8 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
     if (this->GetRefining())
     {
       ScopedState scope(GetWindow(s)->GetState());
+      const ScopedTextureUnit unit(GetWindow(s)->GetState());
+      impl.Hooks.VisibilityUnit = unit.Unit; // as below
       impl.Timers.BeginStep("refinement");
       this->Refine(s);
     }

@@ -147,8 +147,8 @@ public:
   /**
    * Progressive mode: while neither scene, lights, camera, size nor settings change, each frame adds
    * ProgressivePoints points of every light, in a low-discrepancy order and with a hard shadow each,
-   * to a running mean. The first frame is the technique's own; the mean takes over as its first 64
-   * points come. It converges to the truth whatever the technique. The mean depends on the number of
+   * to a running mean. The first frame is the technique's own. The first 64 points only measure the
+   * maps, and again whenever the maps grow; the mean takes over as the next 64 come. It converges to the truth whatever the technique. The mean depends on the number of
    * its points, not on that of the frames. Any change starts it again. Default is off.
    *
    * Frames are the application's to draw: while GetRefining() is true another one improves the
@@ -174,11 +174,11 @@ public:
   vtkGetMacro(ProgressivePoints, int);
   ///@}
 
-  /// Whether the estimated error of what is shown is under the tolerance.
+  /// Whether the estimated error of what is shown is under the tolerance, as of the last frame.
   bool GetConverged() const;
 
   /**
-   * Whether another frame would improve the picture. False once converged, and also where no number
+   * Whether another frame would improve the picture, as of the last one. False once converged, and also where no number
    * of points can reach the tolerance because the maps, which grow to MapMemory and at most 4096
    * texels, are too coarse for it.
    */

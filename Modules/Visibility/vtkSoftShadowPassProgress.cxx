@@ -67,6 +67,7 @@ void vtkSoftShadowPass::Refine(const vtkRenderState* s)
   if (impl.Statistics.LightsCasting == 0 || !impl.Target.GetTexture()->GetHandle())
   {
     schedule.Finish(impl.Statistics.LightsCasting == 0);
+    impl.HasNews = schedule.IsConverged();
     return;
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());

@@ -25,7 +25,10 @@ void vtkSoftShadowSignature::AddCamera(vtkRenderer* renderer)
 void vtkSoftShadowSignature::AddProp(vtkProp* prop)
 {
   this->Add(static_cast<vtkTypeUInt64>(reinterpret_cast<std::uintptr_t>(prop)));
-  this->Add(static_cast<vtkTypeUInt64>(prop->GetRedrawMTime()));
+  // An assembly changes the matrices of its parts, and so its own time, whenever it is drawn. Its parts
+  // are among the casters' bodies, which look at each leaf's geometry.
+  const bool hasParts = prop->IsA("vtkAssembly") || prop->IsA("vtkPropAssembly");
+  this->Add(static_cast<vtkTypeUInt64>(hasParts ? 0 : prop->GetRedrawMTime()));
   this->Add(static_cast<vtkTypeUInt64>(vtkShadowCasters::GetReceivesShadow(prop)));
   this->Add(static_cast<vtkTypeUInt64>(prop->GetShaderProperty()->GetMTime()));
 }

@@ -102,6 +102,21 @@ std::vector<vtkSmartPointer<vtkActor>> AddThousandActors(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+// An assembly pokes matrices into its parts whenever it is drawn, which is no change of the scene.
+TEST_P(Counts, AssemblyAtRestCostsNothing)
+{
+  this->Scene.Renderer->RemoveActor(this->Scene.Ground);
+  const Quad ground = { { -2.0, -2.0, 0.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 4.0, 0.0 } };
+  this->Scene.Renderer->AddViewProp(MakeReceiver(Drawing::Assembly, ground));
+  Stage stage(this->Scene.Renderer, this->Pass, Width, Height);
+  stage.Render();
+  stage.Render();
+  const Work work = this->Frame(stage);
+  EXPECT_EQ(work.VisibilityFrames, 0);
+  EXPECT_EQ(work.MapsBaked, 0);
+}
+
+//------------------------------------------------------------------------------
 TEST_P(Counts, ThousandActorsAndAMovingCamera)
 {
   const auto actors = AddThousandActors(this->Scene.Renderer);
