@@ -96,7 +96,7 @@ std::unique_ptr<Contestant> MakeContestant(const ContestantChoice& choice,
     const double scale = std::stod(choice.Options.at("light_scale"));
     const SceneFactory makeScaled = [makeScene, scale]
     {
-      const vtkSmartPointer<vtkRenderer> renderer = makeScene();
+      vtkSmartPointer<vtkRenderer> renderer = makeScene();
       ScaleLights(renderer, scale);
       return renderer;
     };

@@ -34,7 +34,7 @@ TechniqueOption MakeOption(TechniqueOption::Kind kind, double least, double most
 //--------------------------------------------------------------------------------------------------
 fs::path MakeFolder(const std::string& name)
 {
-  const fs::path folder = fs::path(SOFTSHADOWS_TEST_OUTPUT_DIR) / name;
+  fs::path folder = fs::path(SOFTSHADOWS_TEST_OUTPUT_DIR) / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;
