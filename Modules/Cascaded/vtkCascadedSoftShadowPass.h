@@ -202,15 +202,15 @@ public:
 
   ///@{
   /**
-   * Tints the picture by cascade, for debugging: red, green, blue, yellow, near to far. Default is
-   * off.
+   * Tints the picture by cascade, for debugging: red, green, blue, yellow, near to far. With
+   * several emitters (lights, parts, faces) by the cascades of the last. Default is off.
    */
   vtkSetMacro(Tint, bool);
   vtkGetMacro(Tint, bool);
   vtkBooleanMacro(Tint, bool);
   ///@}
 
-  /// Cascades that had receivers when the visibility was drawn last.
+  /// Cascades that had receivers of the emitter whose visibility was drawn last.
   int GetNumberOfOccupiedCascades() const;
 
   /**
