@@ -41,16 +41,20 @@ void main()
   {
     point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true);
   }
-  // Every pixel of a quad comes here: the pyramid is looked up on one level for the four of them.
-  float reach = searchReach(point);
+  bool blocked = isBlocked(point, point.std.xy, mapLayer);
+  // No ray to the light meets a blocker where a pixel was proved lit.
+  bool lit = provedByFootprint == 1 && !blocked && point.facesCenter;
+  // All pixels of a quad search, or none: the pyramid is looked up on one level for the four of them.
+  float reach = 0.0;
+  if (sameInQuad(served && !lit ? 1 : 0) == 1)
+  {
+    float found = searchReach(point);
+    reach = lit ? 0.0 : found;
+  }
   if (!served)
   {
     discard;
   }
-  bool blocked = isBlocked(point, point.std.xy, mapLayer);
-  // No ray to the light meets a blocker where a pixel was proved lit.
-  bool lit = provedByFootprint == 1 && !blocked && point.facesCenter;
-  reach = lit ? 0.0 : reach;
   gl_FragData[0] = vec4(point.std, (blocked ? -1.0 : 1.0) * max(reach, leastReach));
   gl_FragData[1] = reach > 0.0 ? searchRow(point, reach) : vec4(0.0);
 }
