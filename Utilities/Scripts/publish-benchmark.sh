@@ -64,13 +64,13 @@ fill_document() {
         blocks+=(--block "paper-${entry%:*}=$output/paper-${entry%:*}.md")
     done
     python3 Utilities/Scripts/fill-document.py "$document" "${blocks[@]}" --images "$output/Images"
-    local result=$? plot=Documentation/Images/speed-against-error.png
+    local result=$? plot=Documentation/Images/speed-bunny.png
     if [ -e "$plot" ]; then
         cat > "$output/readme.md" <<END
-![RMSE of the visibility over milliseconds of a frame, all techniques](Documentation/Images/speed-against-error.png)
+![RMSE of the visibility over milliseconds of a frame, all techniques](Documentation/Images/speed-bunny.png)
 
-*Time of a frame with moving lights against the error of the visibility: geometric means over all scenes. The grey line is the
-front that no other setting beats in both.*
+*A bunny under a square lamp: time of a frame with a moving lamp against the error of the visibility, every technique with several
+settings. The grey line is the front that no other setting beats in both.*
 END
         python3 Utilities/Scripts/fill-document.py README.md --block "speed-against-error=$output/readme.md" || result=1
     fi
