@@ -38,7 +38,7 @@ vtkSmartPointer<vtkSoftShadowPass> MakePass(const Technique& technique)
 /// Unlike MakeBallScene in light and casters, so that nothing can be mistaken for the other's.
 BallScene MakeOtherScene()
 {
-  const BallScene scene = MakeBallScene(0.8);
+  BallScene scene = MakeBallScene(0.8);
   scene.Ball->SetPosition(0.4, 0.2, 0.3);
   scene.Renderer->AddLight(MakeLamp({ { -2.0, 0.5, 3.5 } }, { { 0.0, 0.0, 0.0 } }, 0.2));
   return scene;
