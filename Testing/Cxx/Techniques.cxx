@@ -160,11 +160,11 @@ const std::vector<Technique>& AllTechniques()
     { "Sampled", MakeSampled, 0.01, 0.03, 1.0 / 16.0 },
     { "PercentageCloser", MakePercentageCloser, 0.015, 0.03, 1.0 / 11.0 },
     { "Marched", MakeMarched, 0.015, 0.03, 1.0 / 8.0 },
-    { "Bilateral", MakeBilateral, 0.01, 0.03, 1.0 / 15.0, 0.01, true, false, false },
-    { "Separable", MakeSeparable, 0.015, 0.03, 1.0 / 11.0, 0.002, true, true },
+    { "Bilateral", MakeBilateral, 0.01, 0.03, 1.0 / 15.0, 0.01, false, false },
+    { "Separable", MakeSeparable, 0.015, 0.03, 1.0 / 11.0, 0.002, true },
     { "Cascaded", MakeCascaded, 0.01, 0.03, 1.0 / 16.0 },
     { "AdaptiveSampled", MakeAdaptiveSampled, 0.02, 0.03, 1.0 / 16.0 },
-    { "Virtual", MakeVirtual, 0.015, 0.03, 1.0 / 8.0, 0.0, true, true },
+    { "Virtual", MakeVirtual, 0.015, 0.03, 1.0 / 8.0, 0.0, true },
   };
   return techniques;
 }

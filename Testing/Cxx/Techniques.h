@@ -44,8 +44,6 @@ struct Technique
   /// Largest root mean square that the border of the picture may add where neighbours on the screen
   /// take part; 0 for techniques that look at each pixel alone.
   double LargestBorderError = 0.0;
-  /// Knows lights that are brighter in the middle.
-  bool HasGaussianWeights = true;
   /// The visibility varies continuously with depths, and so with their rounding, which depends on
   /// where the casters' origin was laid first. Others have steps that such rounding does not reach.
   bool IsContinuous = false;

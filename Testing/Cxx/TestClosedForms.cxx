@@ -207,10 +207,6 @@ class WeightedForm : public ClosedForm
 //------------------------------------------------------------------------------
 TEST_P(WeightedForm, GaussianErrorIsSmall)
 {
-  if (!std::get<0>(this->GetParam()).HasGaussianWeights)
-  {
-    GTEST_SKIP() << "uniform lights only";
-  }
   ASSERT_NO_FATAL_FAILURE(this->Draw(MakeRectangleScene(Weights::Gaussian), Weights::Gaussian));
   const double error = this->RootMeanSquareError();
   this->RecordProperty("RootMeanSquareError", std::to_string(error));

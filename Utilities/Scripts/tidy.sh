@@ -14,7 +14,6 @@ fi
 log="$build/tidy.log"
 status=0
 run-clang-tidy -quiet -p "$build" -j "$(nproc)" "^$root/$pattern" >"$log" 2>&1 || status=$?
-sed -i "s:\x1b\[[0-9;]*m::g" "$log"
 sed -i 's/\x1b\[[0-9;]*m//g' "$log" # colours
 grep -E -A 4 '(warning|error):' "$log" || true
 count="$(grep -c '^clang-tidy' "$log" || true)"
