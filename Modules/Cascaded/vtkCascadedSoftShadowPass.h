@@ -264,7 +264,6 @@ private:
   int Read(const std::array<int, MaximumNumberOfCascades>& values, int cascade) const;
   std::vector<size_t> AddSets(const vtkSoftShadowContext& context, size_t cascade);
   vtkTypeInt64 GetFewPixels() const;
-  void DrawTint(const vtkRenderState* s);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -11,12 +11,12 @@
 #include "vtkCascadedRefinement.h"
 #include "vtkCascadedSoftShadowMaps.h"
 #include "vtkCascadedSoftShadowPass.h"
+#include "vtkCascadedTint.h"
 #include "vtkShadowCascades.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
 
 #include "vtkCascadedSoftShadowFS.h"
-#include "vtkCascadedTintFS.h"
 
 #include <array>
 #include <map>
@@ -44,7 +44,7 @@ public:
   std::map<std::pair<int, int>, EmitterMaps> Emitters; // by light and part
   std::vector<vtkShadowCascades::Cascade> Cascades;
   vtkShadowShader Shader{ vtkCascadedSoftShadowFS };
-  vtkShadowShader TintShader{ vtkCascadedTintFS };
+  vtkCascadedTint Tint;
   Refinement Refiner;
   vtkShadowReceivers* Receivers = nullptr; // the base class's
 
