@@ -3,19 +3,24 @@
 #include "vtkBilateralSoftShadowPass.h"
 
 #include "vtkBilateralLattice.h"
-#include "vtkBilateralSoftShadowPassInternals.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasters.h"
+#include "vtkShadowDepthMaps.h"
 #include "vtkShadowReceivers.h"
+#include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowScreenFilter.h"
 
-#include "vtkBilateralFilterFS.h"
 #include "vtkBilateralMeanFS.h"
-#include "vtkBilateralTilesFS.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -23,19 +28,32 @@ vtkStandardNewMacro(vtkBilateralSoftShadowPass);
 
 namespace
 {
-using Screen = vtkBilateralScreen;
 constexpr size_t MapsPerDraw = VTK_SOFT_SHADOW_SAMPLES_PER_DRAW;
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkBilateralSoftShadowPass::Internals::Internals()
-  : MeanShader(vtkBilateralMeanFS)
-  , TilesShader(vtkBilateralTilesFS)
-  , FilterShader(vtkBilateralFilterFS)
-  , AdaptiveShader(vtkBilateralFilterFS)
+class vtkBilateralSoftShadowPass::Internals
 {
-  this->AdaptiveShader.SetDefinitions({ { "BILATERAL_ADAPTIVE", "1" } });
-}
+public:
+  // The points of one emitter with their views, and the maps that hold a batch of them.
+  struct EmitterSamples
+  {
+    vtkShadowEmitter Emitter;
+    vtkMTimeType CastersTime = 0;
+    vtkMTimeType SettingsTime = 0;
+    vtkSoftShadowSamples Samples;
+    std::array<std::array<double, 2>, 2> Cell = { {} };
+    vtkNew<vtkShadowDepthMaps> Maps;
+  };
+
+  std::map<std::pair<int, int>, EmitterSamples> Emitters; // by light and part
+  EmitterSamples* Current = nullptr;
+  vtkShadowShader MeanShader{ vtkBilateralMeanFS };
+  vtkSoftShadowScreenFilter Filter;
+
+  void DrawBatch(vtkBilateralSoftShadowPass* self, const vtkSoftShadowContext& context,
+    size_t first, size_t last, size_t layer, bool isFirst);
+};
 
 //------------------------------------------------------------------------------
 vtkBilateralSoftShadowPass::vtkBilateralSoftShadowPass()
@@ -72,16 +90,52 @@ void vtkBilateralSoftShadowPass::AddVisibility(const vtkSoftShadowContext& conte
     emitter.Samples = vtkSoftShadowPass::FitSamples(context, lattice.GetSamples());
     emitter.Cell = lattice.GetCell();
   }
+  const bool isDrawn = this->Impl->Filter.BeginSums(context) && this->DrawMean(context);
+  this->Impl->Filter.EndSums();
+  if (!isDrawn)
   {
-    const Internals::ScopedTarget target(context.Window->GetState());
-    if (!this->DrawMean(context) || (this->Filter == ADAPTIVE && !this->DrawTiles(context)))
-    {
-      return;
-    }
+    return;
   }
   this->BeginStep("bilateral filter");
-  this->DrawSteps(context);
+  this->DrawFilter(context);
   this->BeginStep("visibility");
+}
+
+//------------------------------------------------------------------------------
+void vtkBilateralSoftShadowPass::DrawFilter(const vtkSoftShadowContext& context)
+{
+  using Screen = vtkSoftShadowScreenFilter;
+  Screen::Settings settings;
+  switch (this->Filter)
+  {
+    case NONE:
+      settings.Domain = Screen::NONE;
+      break;
+    case FULL:
+      settings.Domain = Screen::SQUARE;
+      break;
+    case ADAPTIVE:
+      settings.Domain = Screen::CELL;
+      break;
+    default:
+      settings.Domain = Screen::SEPARABLE;
+  }
+  settings.RangeDeviation = this->RangeDeviation;
+  if (this->Filter == ADAPTIVE)
+  {
+    // The more points, the smaller the steps between bands: what differs by more is a shadow's
+    // edge. The root of the root lies between what suits scenes (the root) and single ramps (none).
+    constexpr double Points = 3.0;
+    settings.RangeDeviation *= std::sqrt(std::sqrt(std::min(Points / this->NumberOfSamples, 1.0)));
+  }
+  settings.SecondAxisFirst = this->SecondAxisFirst;
+  settings.Cell = this->Impl->Current->Cell;
+  settings.MaximumWidth = this->MaximumWidth;
+  settings.WeightedByPoints = this->HasGaussianWeights();
+  settings.HalfTaps = this->FilterWidth / 2;
+  settings.DomainDeviation = this->DomainDeviation;
+  settings.Iterations = this->Filter == ATROUS ? this->Iterations : 1;
+  this->Impl->Filter.Draw(context, settings);
 }
 
 //------------------------------------------------------------------------------
@@ -94,11 +148,6 @@ bool vtkBilateralSoftShadowPass::DrawMean(const vtkSoftShadowContext& context)
   const size_t batch = std::min(this->GetMapsPerBatch(), layers);
   const size_t count = emitter.Samples.Views.size();
   bool isFirst = true;
-  if (!impl.Screen.Begin(context.Window, Screen::MEAN, context.Receivers->GetWidth(),
-        context.Receivers->GetHeight(), context.Marks))
-  {
-    return false;
-  }
   for (size_t first = 0; first == 0 || first < count; first += batch)
   {
     const size_t last = std::min(first + batch, count);
@@ -167,7 +216,7 @@ void vtkBilateralSoftShadowPass::Internals::DrawBatch(vtkBilateralSoftShadowPass
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkBilateralSoftShadowPass::GetTechniqueBytes()
 {
-  vtkTypeInt64 bytes = this->Impl->Screen.GetBytes();
+  vtkTypeInt64 bytes = this->Impl->Filter.GetBytes();
   for (auto& emitter : this->Impl->Emitters)
   {
     bytes += emitter.second.Maps->GetTexture()->GetBytes();
@@ -189,9 +238,7 @@ vtkTypeInt64 vtkBilateralSoftShadowPass::GetTechniqueDrawCalls()
 //------------------------------------------------------------------------------
 int vtkBilateralSoftShadowPass::GetTechniqueShaderBuilds()
 {
-  const Internals& impl = *this->Impl;
-  return impl.MeanShader.GetNumberOfBuilds() + impl.TilesShader.GetNumberOfBuilds() +
-    impl.FilterShader.GetNumberOfBuilds() + impl.AdaptiveShader.GetNumberOfBuilds();
+  return this->Impl->MeanShader.GetNumberOfBuilds() + this->Impl->Filter.GetNumberOfShaderBuilds();
 }
 
 //------------------------------------------------------------------------------
@@ -199,12 +246,8 @@ void vtkBilateralSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& impl = *this->Impl;
-  for (vtkShadowShader* shader :
-    { &impl.MeanShader, &impl.TilesShader, &impl.FilterShader, &impl.AdaptiveShader })
-  {
-    shader->ReleaseGraphicsResources(window);
-  }
-  impl.Screen.ReleaseGraphicsResources(window);
+  impl.MeanShader.ReleaseGraphicsResources(window);
+  impl.Filter.ReleaseGraphicsResources(window);
   for (auto& emitter : impl.Emitters)
   {
     emitter.second.Maps->ReleaseGraphicsResources(window);

@@ -11,7 +11,8 @@
  * Stages, per emitter:
  *  1. points: a lattice (vtkBilateralLattice), a depth map each, reused while nothing moves;
  *  2. mean: hard shadows of all points into a texture, with the blockers' distances;
- *  3. filter, in one or more steps over the visibility alone, never over shaded colour.
+ *  3. filter (vtkSoftShadowScreenFilter), in one or more steps over the visibility alone, never over
+ *     shaded colour.
  *
  * A tap weighs w = domain * range * surface (the paper's Eqs. 1 and 2). Range: exp(-dV^2 / (2
  * h_r^2)), a standard deviation where the paper's Eq. 3 has its inverse. Surface: falls to zero for
@@ -38,7 +39,7 @@
  * penumbra of a rectangle (closed form); 0.024 and 0.015 on the bunny, 0.034 and 0.020 on the
  * dragon, 0.063 and 0.029 under fourteen boards at several depths (ray tracing).
  *
- * @sa vtkSampledSoftShadowPass vtkBilateralLattice
+ * @sa vtkSampledSoftShadowPass vtkBilateralLattice vtkSoftShadowScreenFilter
  */
 
 #ifndef vtkBilateralSoftShadowPass_h
@@ -182,8 +183,7 @@ private:
   std::unique_ptr<Internals> Impl;
 
   bool DrawMean(const vtkSoftShadowContext& context);
-  bool DrawTiles(const vtkSoftShadowContext& context);
-  void DrawSteps(const vtkSoftShadowContext& context);
+  void DrawFilter(const vtkSoftShadowContext& context);
 };
 
 VTK_ABI_NAMESPACE_END

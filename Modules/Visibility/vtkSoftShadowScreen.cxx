@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkBilateralScreen.h"
+#include "vtkSoftShadowScreen.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -9,13 +9,13 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-vtkBilateralScreen::vtkBilateralScreen() = default;
+vtkSoftShadowScreen::vtkSoftShadowScreen() = default;
 
 //------------------------------------------------------------------------------
-vtkBilateralScreen::~vtkBilateralScreen() = default;
+vtkSoftShadowScreen::~vtkSoftShadowScreen() = default;
 
 //------------------------------------------------------------------------------
-bool vtkBilateralScreen::Begin(
+bool vtkSoftShadowScreen::Begin(
   vtkOpenGLRenderWindow* window, TextureName texture, int width, int height, unsigned int marks)
 {
   if (!this->Textures[texture]->Allocate(window, vtkShadowTextureArray::RGBA32F, width, height, 1))
@@ -38,7 +38,7 @@ bool vtkBilateralScreen::Begin(
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkBilateralScreen::GetBytes() const
+vtkTypeInt64 vtkSoftShadowScreen::GetBytes() const
 {
   vtkTypeInt64 bytes = 0;
   for (const auto& texture : this->Textures)
@@ -49,7 +49,7 @@ vtkTypeInt64 vtkBilateralScreen::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkBilateralScreen::ReleaseGraphicsResources(vtkWindow* window)
+void vtkSoftShadowScreen::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (const auto& texture : this->Textures)
   {

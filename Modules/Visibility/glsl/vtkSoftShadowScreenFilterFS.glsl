@@ -28,7 +28,7 @@ struct Pixel
   float facing;     // the share of the emitter in front of the receiver's plane, if not filtered
 };
 
-#ifdef BILATERAL_ADAPTIVE
+#ifdef SOFT_SHADOW_CELL
 uniform vec3 lightVs;     // the emitter's centre, or a vector towards it
 uniform float positional; // 1; 0 if the emitter is directional
 uniform vec3 lightAxesVs[2]; // the emitter's half extents
@@ -69,7 +69,7 @@ Pixel fetchPixel(ivec2 pixel)
   {
     return Pixel(value.r, value.g, value.b);
   }
-#ifdef BILATERAL_ADAPTIVE
+#ifdef SOFT_SHADOW_CELL
   // What the receiver's own plane hides is known; the points tell what else blocks the rest.
   float visibility = value.r > 0.0 ? value.g / value.r : value.a;
   return Pixel(visibility, value.b / max(value.r - value.g, 1e-6), value.r);
@@ -112,7 +112,7 @@ void addTap(Receiver receiver, float visibility, ivec2 pixel, float domainWeight
   sum += tapWeight * vec2(other.visibility, 1.0);
 }
 
-#ifdef BILATERAL_ADAPTIVE
+#ifdef SOFT_SHADOW_CELL
 
 uniform sampler2DArray tiles; // least and greatest visibility
 uniform int tileSize;
@@ -262,7 +262,7 @@ void main()
   {
     value.visibility = filterVisibility(receiver, pixel, value.visibility, value.guide);
   }
-#ifdef BILATERAL_ADAPTIVE
+#ifdef SOFT_SHADOW_CELL
   float share = lastStep == 1 ? facingShare(receiver, value.facing) : 1.0;
 #else
   float share = 1.0;

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkBilateralScreen
+ * @class   vtkSoftShadowScreen
  * @brief   The textures of the screen's size that the steps of the filter read and write.
  */
 
-#ifndef vtkBilateralScreen_h
-#define vtkBilateralScreen_h
+#ifndef vtkSoftShadowScreen_h
+#define vtkSoftShadowScreen_h
 
 #include "vtkNew.h"            // For members
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
@@ -17,12 +17,12 @@ class vtkOpenGLRenderWindow;
 class vtkShadowTextureArray;
 class vtkWindow;
 
-class vtkBilateralScreen
+class vtkSoftShadowScreen
 {
 public:
   enum TextureName
   {
-    MEAN = 0, // RGBA32F: weights of the points in front, -1 where there is no value, and of those
+    SUMS = 0, // RGBA32F: weights of the points in front, -1 where there is no value, and of those
               // seen; reaches of the blockers
     BLURRED =
       1,       // RGBA32F: visibility, -1 where there is no value; guide; weight of points in front
@@ -31,10 +31,10 @@ public:
     NUMBER_OF_TEXTURES = 4
   };
 
-  vtkBilateralScreen();
-  ~vtkBilateralScreen();
-  vtkBilateralScreen(const vtkBilateralScreen&) = delete;
-  vtkBilateralScreen& operator=(const vtkBilateralScreen&) = delete;
+  vtkSoftShadowScreen();
+  ~vtkSoftShadowScreen();
+  vtkSoftShadowScreen(const vtkSoftShadowScreen&) = delete;
+  vtkSoftShadowScreen& operator=(const vtkSoftShadowScreen&) = delete;
 
   /**
    * Binds a texture of width x height texels for drawing, made or resized if need be, and clears it
@@ -56,4 +56,4 @@ private:
 
 VTK_ABI_NAMESPACE_END
 #endif
-// VTK-HeaderTest-Exclude: vtkBilateralScreen.h
+// VTK-HeaderTest-Exclude: vtkSoftShadowScreen.h

@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSoftShadowScreenFilter.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowReceivers.h"
+#include "vtkShadowShader.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowPass.h"
+#include "vtkSoftShadowScreen.h"
+#include "vtkSoftShadowsOpenGL.h"
+
+#include "vtkSoftShadowScreenFilterFS.h"
+#include "vtkSoftShadowScreenTilesFS.h"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+using Screen = vtkSoftShadowScreen;
+using Settings = vtkSoftShadowScreenFilter::Settings;
+
+// The directions and points of the world in view coordinates, as floats.
+class ViewFrame
+{
+public:
+  explicit ViewFrame(const std::array<double, 16>& viewToWorld)
+  {
+    vtkMatrix4x4::Invert(viewToWorld.data(), this->WorldToView);
+  }
+
+  void Transform(const double vector[3], double w, float result[3]) const
+  {
+    const double* m = this->WorldToView;
+    for (int i = 0; i < 3; ++i)
+    {
+      result[i] = static_cast<float>(m[4 * i] * vector[0] + m[4 * i + 1] * vector[1] +
+        m[4 * i + 2] * vector[2] + m[4 * i + 3] * w);
+    }
+  }
+
+private:
+  double WorldToView[16];
+};
+// One step: its taps in pixels, or which edge of the cell it goes along.
+struct Step
+{
+  int Edge = 0;
+  int Tap[2] = { 1, 0 };
+  int Row[2] = { 0, 1 };
+  int HalfTaps = 0;
+  int HalfRows = 0;
+};
+
+// What the steps before the last change and put back.
+class ScopedTarget
+{
+public:
+  explicit ScopedTarget(vtkOpenGLState* state)
+    : State(state)
+    , Viewport(state)
+    , Blend(state, GL_BLEND)
+    , DepthTest(state, GL_DEPTH_TEST)
+    , ScissorTest(state, GL_SCISSOR_TEST)
+  {
+    state->PushFramebufferBindings();
+    state->vtkglDisable(GL_SCISSOR_TEST);
+  }
+  ~ScopedTarget() { this->State->PopFramebufferBindings(); }
+  ScopedTarget(const ScopedTarget&) = delete;
+  void operator=(const ScopedTarget&) = delete;
+
+private:
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+};
+
+// How far lit pixels look for a shadow: some more than most kernels reach.
+int GetTileSize(const Settings& settings)
+{
+  return (settings.MaximumWidth + 2) / 3;
+}
+
+std::vector<Step> PlanSteps(const Settings& settings)
+{
+  std::vector<Step> steps;
+  if (settings.Domain == vtkSoftShadowScreenFilter::NONE ||
+    settings.Domain == vtkSoftShadowScreenFilter::SQUARE)
+  {
+    Step step;
+    step.HalfTaps = step.HalfRows =
+      settings.Domain == vtkSoftShadowScreenFilter::SQUARE ? settings.HalfTaps : 0;
+    steps.push_back(step);
+    return steps;
+  }
+  const int iterations =
+    settings.Domain == vtkSoftShadowScreenFilter::SEPARABLE ? settings.Iterations : 1;
+  for (int i = 0; i < iterations; ++i)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      Step step;
+      step.Edge = settings.SecondAxisFirst ? 1 - k : k;
+      step.Tap[step.Edge] = 1 << i;
+      step.Tap[1 - step.Edge] = 0;
+      step.HalfTaps = settings.HalfTaps;
+      steps.push_back(step);
+    }
+  }
+  return steps;
+}
+
+void SetTapUniforms(vtkShaderProgram* program, const Settings& settings, const Step& step)
+{
+  program->SetUniform2i("stepAxis", step.Tap);
+  program->SetUniform2i("rowAxis", step.Row);
+  program->SetUniformi("halfTaps", step.HalfTaps);
+  program->SetUniformi("halfRows", step.HalfRows);
+  program->SetUniformf("domainDeviation", static_cast<float>(settings.DomainDeviation));
+}
+
+void SetCellUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
+  const Settings& settings, const Step& step)
+{
+  const vtkShadowEmitter& emitter = context.Emitter;
+  const ViewFrame frame(context.Receivers->GetViewToWorld());
+  // Towards the emitter: its centre, or against the direction of its light.
+  float direction[3];
+  float light[3];
+  float axes[2][3];
+  frame.Transform(emitter.Direction.data(), 0.0, direction);
+  if (emitter.Directional)
+  {
+    std::transform(direction, direction + 3, light, std::negate<>());
+  }
+  else
+  {
+    frame.Transform(emitter.Center.data(), 1.0, light);
+  }
+  double halfExtents[2][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    halfExtents[0][i] = emitter.HalfSize[0] * emitter.AxisU[i];
+    halfExtents[1][i] = emitter.HalfSize[1] * emitter.AxisV[i];
+  }
+  frame.Transform(halfExtents[0], 0.0, axes[0]);
+  frame.Transform(halfExtents[1], 0.0, axes[1]);
+  double edge[3];
+  const std::array<double, 2>& cell = settings.Cell[step.Edge];
+  for (int i = 0; i < 3; ++i)
+  {
+    edge[i] = cell[0] * halfExtents[0][i] + cell[1] * halfExtents[1][i];
+  }
+  float axis[3];
+  frame.Transform(edge, 0.0, axis);
+  const vtkMatrix4x4* projection =
+    context.Renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+      context.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  float viewToClip[16];
+  for (int i = 0; i < 16; ++i)
+  {
+    viewToClip[4 * (i % 4) + i / 4] = static_cast<float>(projection->GetData()[i]);
+  }
+  program->SetUniformMatrix4x4("viewToClip", viewToClip);
+  program->SetUniform3f("lightVs", light);
+  program->SetUniformf("positional", emitter.Directional ? 0.0f : 1.0f);
+  program->SetUniform3fv("lightAxesVs", 2, axes);
+  const int shape = emitter.Shape == vtkShadowEmitter::DISK ? 1 : 0;
+  program->SetUniformi("lightKind", settings.WeightedByPoints || !emitter.HasExtent() ? 2 : shape);
+  program->SetUniform3f("cellAxisVs", axis);
+  program->SetUniformf("maximumWidth", static_cast<float>(settings.MaximumWidth));
+  program->SetUniformi("tileSize", GetTileSize(settings));
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+class vtkSoftShadowScreenFilter::Internals
+{
+public:
+  Internals() { this->CellShader.SetDefinitions({ { "SOFT_SHADOW_CELL", "1" } }); }
+
+  bool DrawTiles(const vtkSoftShadowContext& context, const Settings& settings);
+  void DrawStep(const vtkSoftShadowContext& context, const Settings& settings, const Step& step,
+    Screen::TextureName& source, bool isLast);
+
+  Screen Textures;
+  vtkShadowShader TilesShader{ vtkSoftShadowScreenTilesFS };
+  vtkShadowShader TapsShader{ vtkSoftShadowScreenFilterFS };
+  vtkShadowShader CellShader{ vtkSoftShadowScreenFilterFS };
+  std::unique_ptr<ScopedTarget> SumsTarget; // between BeginSums and EndSums
+};
+
+//------------------------------------------------------------------------------
+vtkSoftShadowScreenFilter::vtkSoftShadowScreenFilter()
+  : Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkSoftShadowScreenFilter::~vtkSoftShadowScreenFilter() = default;
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowScreenFilter::BeginSums(const vtkSoftShadowContext& context)
+{
+  this->Impl->SumsTarget.reset(new ScopedTarget(context.Window->GetState()));
+  if (this->Impl->Textures.Begin(context.Window, Screen::SUMS, context.Receivers->GetWidth(),
+        context.Receivers->GetHeight(), context.Marks))
+  {
+    return true;
+  }
+  this->EndSums();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowScreenFilter::EndSums()
+{
+  this->Impl->SumsTarget.reset();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowScreenFilter::Draw(const vtkSoftShadowContext& context, const Settings& settings)
+{
+  if (settings.Domain == CELL && !this->Impl->DrawTiles(context, settings))
+  {
+    return;
+  }
+  const std::vector<Step> steps = PlanSteps(settings);
+  Screen::TextureName source = Screen::SUMS;
+  for (size_t i = 0; i < steps.size(); ++i)
+  {
+    this->Impl->DrawStep(context, settings, steps[i], source, i + 1 == steps.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowScreenFilter::Internals::DrawTiles(
+  const vtkSoftShadowContext& context, const Settings& settings)
+{
+  const int size = GetTileSize(settings);
+  vtkOpenGLState* state = context.Window->GetState();
+  const ScopedTarget target(state);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  if (!this->TilesShader.Use(context.Window) ||
+    !this->Textures.Begin(context.Window, Screen::TILES,
+      (context.Receivers->GetWidth() + size - 1) / size,
+      (context.Receivers->GetHeight() + size - 1) / size, 0))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = this->TilesShader.GetProgram();
+  program->SetUniformi("tileSize", size);
+  vtkShadowTextureArray* source = this->Textures.GetTexture(Screen::SUMS);
+  program->SetUniformi("source", source->Activate());
+  this->TilesShader.Draw();
+  source->Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowScreenFilter::Internals::DrawStep(const vtkSoftShadowContext& context,
+  const Settings& settings, const Step& step, Screen::TextureName& source, bool isLast)
+{
+  const bool isCell = settings.Domain == CELL;
+  vtkShadowShader& shader = isCell ? this->CellShader : this->TapsShader;
+  if (!shader.Use(context.Window))
+  {
+    return;
+  }
+  vtkShaderProgram* program = shader.GetProgram();
+  context.Receivers->Activate(program);
+  program->SetUniformi("firstStep", source == Screen::SUMS ? 1 : 0);
+  program->SetUniformi("lastStep", isLast ? 1 : 0);
+  program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
+  program->SetUniformf("rangeDeviation", static_cast<float>(settings.RangeDeviation));
+  if (isCell)
+  {
+    SetCellUniforms(program, context, settings, step);
+  }
+  else
+  {
+    SetTapUniforms(program, settings, step);
+  }
+  vtkShadowTextureArray* texture = this->Textures.GetTexture(source);
+  vtkShadowTextureArray* tiles = this->Textures.GetTexture(Screen::TILES);
+  program->SetUniformi("source", texture->Activate());
+  if (isCell)
+  {
+    program->SetUniformi("tiles", tiles->Activate());
+  }
+  if (isLast)
+  {
+    shader.Draw();
+  }
+  else
+  {
+    const ScopedTarget target(context.Window->GetState());
+    context.Window->GetState()->vtkglDisable(GL_BLEND);
+    const Screen::TextureName next = source == Screen::BLURRED ? Screen::AGAIN : Screen::BLURRED;
+    if (this->Textures.Begin(context.Window, next, context.Receivers->GetWidth(),
+          context.Receivers->GetHeight(), context.Marks))
+    {
+      shader.Draw();
+    }
+    source = next;
+  }
+  tiles->Deactivate();
+  texture->Deactivate();
+  context.Receivers->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkSoftShadowScreenFilter::GetBytes() const
+{
+  return this->Impl->Textures.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+int vtkSoftShadowScreenFilter::GetNumberOfShaderBuilds() const
+{
+  return this->Impl->TilesShader.GetNumberOfBuilds() + this->Impl->TapsShader.GetNumberOfBuilds() +
+    this->Impl->CellShader.GetNumberOfBuilds();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowScreenFilter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkShadowShader* shader :
+    { &this->Impl->TilesShader, &this->Impl->TapsShader, &this->Impl->CellShader })
+  {
+    shader->ReleaseGraphicsResources(window);
+  }
+  this->Impl->Textures.ReleaseGraphicsResources(window);
+}
+VTK_ABI_NAMESPACE_END
