@@ -10,6 +10,7 @@
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 #include "vtkVirtualScreen.h"
+#include "vtkVirtualTileTree.h"
 
 #include "vtkVirtualDilateFS.h"
 #include "vtkVirtualPointFS.h"
@@ -36,17 +37,6 @@ bool IsDrawnInSoftware()
 {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   return name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
-}
-
-// Cells of all levels together.
-size_t CountCells()
-{
-  size_t cells = 0;
-  for (int level = 0; level < GridLevels; ++level)
-  {
-    cells += static_cast<size_t>(GridSize >> level) * (GridSize >> level);
-  }
-  return cells;
 }
 } // namespace
 
@@ -80,13 +70,21 @@ bool vtkVirtualGrid::Allocate(vtkOpenGLRenderWindow* window)
   {
     this->DrawnInSoftware = IsDrawnInSoftware();
     glGenFramebuffers(1, &this->Framebuffer);
-    glGenBuffers(1, &this->PixelBuffer);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
-    glBufferData(GL_PIXEL_PACK_BUFFER,
-      static_cast<GLsizeiptr>(CountCells() * sizeof(vtkVirtualTileTree::Cell)), nullptr,
-      GL_STREAM_READ);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     this->VertexArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualGrid::Begin(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Allocate(window))
+  {
+    return false;
+  }
+  if (this->DrawnInSoftware)
+  {
+    glFinish(); // points look up what the steps before drew
   }
   return true;
 }
@@ -94,10 +92,6 @@ bool vtkVirtualGrid::Allocate(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 bool vtkVirtualGrid::Draw(vtkOpenGLRenderWindow* window, vtkVirtualScreen& screen)
 {
-  if (!this->Allocate(window))
-  {
-    return false;
-  }
   vtkOpenGLState* state = window->GetState();
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
   state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
@@ -115,12 +109,7 @@ bool vtkVirtualGrid::Draw(vtkOpenGLRenderWindow* window, vtkVirtualScreen& scree
     return false;
   }
   this->Cells->AttachLayer(0);
-  if (!this->Dilate(window, this->Wishes[1], 1) || !this->DrawPyramid(window))
-  {
-    return false;
-  }
-  this->StartTransfer(window);
-  return true;
+  return this->Dilate(window, this->Wishes[1], 1) && this->DrawPyramid(window);
 }
 
 //------------------------------------------------------------------------------
@@ -140,10 +129,6 @@ bool vtkVirtualGrid::DrawPoints(vtkOpenGLRenderWindow* window, vtkVirtualScreen&
     {
       return false;
     }
-  }
-  if (this->DrawnInSoftware)
-  {
-    glFinish(); // the points look up what the step before drew
   }
   this->Wishes[0]->AttachLayer(0);
   const float unused[4] = { vtkVirtualTileTree::Unused, vtkVirtualTileTree::Unused, 0.0f, 0.0f };
@@ -201,52 +186,6 @@ bool vtkVirtualGrid::DrawPyramid(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualGrid::StartTransfer(vtkOpenGLRenderWindow* window)
-{
-  window->GetState()->vtkglReadBuffer(GL_COLOR_ATTACHMENT0);
-  GLint alignment = 1;
-  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
-  window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
-  size_t offset = 0;
-  for (int level = 0; level < GridLevels; ++level)
-  {
-    const int size = GridSize >> level;
-    this->Cells->AttachLayer(0, level);
-    glReadPixels(0, 0, size, size, GL_RG, GL_FLOAT, reinterpret_cast<void*>(offset));
-    offset += static_cast<size_t>(size) * size * sizeof(vtkVirtualTileTree::Cell);
-  }
-  window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, alignment);
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-}
-
-//------------------------------------------------------------------------------
-vtkVirtualTileTree::Pyramid vtkVirtualGrid::Read()
-{
-  vtkVirtualTileTree::Pyramid pyramid;
-  for (int level = 0; level < GridLevels; ++level)
-  {
-    const size_t size = static_cast<size_t>(GridSize >> level);
-    pyramid.emplace_back(size * size);
-  }
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
-  const auto bytes = static_cast<GLsizeiptr>(CountCells() * sizeof(vtkVirtualTileTree::Cell));
-  const void* data = glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
-  if (data)
-  {
-    const auto* cells = static_cast<const vtkVirtualTileTree::Cell*>(data);
-    for (vtkVirtualTileTree::Level& level : pyramid)
-    {
-      std::memcpy(level.data(), cells, level.size() * sizeof(vtkVirtualTileTree::Cell));
-      cells += level.size();
-    }
-    glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
-  }
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  return pyramid;
-}
-
-//------------------------------------------------------------------------------
 vtkTypeInt64 vtkVirtualGrid::GetBytes() const
 {
   return this->Wishes[0]->GetBytes() + this->Wishes[1]->GetBytes() + this->Cells->GetBytes();
@@ -273,8 +212,7 @@ void vtkVirtualGrid::ReleaseGraphicsResources(vtkWindow* window)
   if (this->Framebuffer)
   {
     glDeleteFramebuffers(1, &this->Framebuffer);
-    glDeleteBuffers(1, &this->PixelBuffer);
-    this->Framebuffer = this->PixelBuffer = 0;
+    this->Framebuffer = 0;
     this->VertexArray->ReleaseGraphicsResources();
     this->VertexArray = nullptr;
   }

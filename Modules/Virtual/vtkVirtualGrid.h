@@ -5,8 +5,8 @@
  * @brief   The tile grid on the GPU: what texel size every cell of the map's plane is asked for.
  *
  * L. Shen et al. 2011, section 5.2, steps 4 and 5: a point per pixel, made from its vertex number,
- * falls into its cell with minimum blending; the pyramid of minima is drawn level by level and
- * copied to a pixel buffer, which the CPU reads as late as it can.
+ * falls into its cell with minimum blending; the pyramid of minima is drawn level by level. How it
+ * reaches the CPU is vtkVirtualRequest's.
  *
  * Beyond the paper, cells take over the wishes of all kernels that reach into them (the paper: of the
  * pixels that lie in them), so that a kernel over a tile's border finds the same texels there.
@@ -15,11 +15,11 @@
 #ifndef vtkVirtualGrid_h
 #define vtkVirtualGrid_h
 
-#include "vtkNew.h"             // For members
-#include "vtkShadowShader.h"    // For members
-#include "vtkSmartPointer.h"    // For members
-#include "vtkSoftShadowsABI.h"  // For the ABI namespace
-#include "vtkVirtualTileTree.h" // For the pyramid
+#include "vtkNew.h"            // For members
+#include "vtkShadowShader.h"   // For members
+#include "vtkSmartPointer.h"   // For members
+#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkType.h"           // For bytes
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -38,13 +38,20 @@ public:
   vtkVirtualGrid& operator=(const vtkVirtualGrid&) = delete;
 
   /**
-   * Draws grid and pyramid from the screen's predictions and starts their way to the CPU. The caller
-   * restores framebuffer, viewport, blending and depth test. False if something does not compile.
+   * Before the grids of a frame, when the kernels of all their screens have been drawn. On software
+   * rasterisers this waits until they are.
+   */
+  bool Begin(vtkOpenGLRenderWindow* window);
+
+  /**
+   * Draws grid and pyramid from the screen's predictions and leaves the framebuffer bound to which
+   * GetCells was attached. The caller restores framebuffer, viewport, blending and depth test. False
+   * if something does not compile.
    */
   bool Draw(vtkOpenGLRenderWindow* window, vtkVirtualScreen& screen);
 
-  /// Waits for what Draw started.
-  vtkVirtualTileTree::Pyramid Read();
+  /// RG32F with all levels: texel sizes.
+  vtkShadowTextureArray* GetCells() { return this->Cells; }
 
   vtkTypeInt64 GetBytes() const;
   int GetNumberOfBuilds() const;
@@ -55,7 +62,6 @@ private:
   bool DrawPoints(vtkOpenGLRenderWindow* window, vtkVirtualScreen& screen);
   bool Dilate(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* from, int axis);
   bool DrawPyramid(vtkOpenGLRenderWindow* window);
-  void StartTransfer(vtkOpenGLRenderWindow* window);
 
   vtkNew<vtkShadowTextureArray> Wishes[2]; // RGBA32F: texel sizes, minus half extents of kernels
   vtkNew<vtkShadowTextureArray> Cells;     // RG32F with all levels: texel sizes
@@ -64,7 +70,6 @@ private:
   vtkShadowShader DilateShader;
   vtkShadowShader PyramidShader;
   unsigned int Framebuffer = 0;
-  unsigned int PixelBuffer = 0;
   int PointBuilds = 0;
   bool DrawnInSoftware = false;
 };

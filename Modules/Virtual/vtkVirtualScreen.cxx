@@ -16,29 +16,36 @@ vtkVirtualScreen::vtkVirtualScreen() = default;
 vtkVirtualScreen::~vtkVirtualScreen() = default;
 
 //------------------------------------------------------------------------------
-bool vtkVirtualScreen::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+bool vtkVirtualScreen::AllocateShapes(vtkOpenGLRenderWindow* window, int width, int height)
 {
   const int rgba = vtkShadowTextureArray::RGBA32F;
-  if (!this->Textures[SHAPES]->Allocate(window, rgba, width, height, 1) ||
-    !this->Textures[PREDICTIONS]->Allocate(window, rgba, width, height, 1) ||
-    !this->Textures[SUMS]->Allocate(window, rgba, width, height, 1))
-  {
-    return false;
-  }
-  if (!this->Framebuffers[0])
-  {
-    glGenFramebuffers(2, this->Framebuffers);
-  }
-  return true;
+  return this->Textures[SHAPES]->Allocate(window, rgba, width, height, 1) &&
+    this->Textures[PREDICTIONS]->Allocate(window, rgba, width, height, 1);
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualScreen::Bind(vtkOpenGLRenderWindow* window, unsigned int framebuffer)
+bool vtkVirtualScreen::AllocateSums(vtkOpenGLRenderWindow* window, int width, int height)
 {
+  return this->Textures[SUMS]->Allocate(window, vtkShadowTextureArray::RGBA32F, width, height, 1);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkVirtualScreen::CountShapeBytes(int width, int height)
+{
+  constexpr vtkTypeInt64 pixel = 2 * 4 * sizeof(float);
+  return pixel * width * height;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualScreen::Bind(vtkOpenGLRenderWindow* window, TextureName first)
+{
+  if (!this->Framebuffer)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+  }
   vtkOpenGLState* state = window->GetState();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  state->vtkglViewport(
-    0, 0, this->Textures[SHAPES]->GetWidth(), this->Textures[SHAPES]->GetHeight());
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  state->vtkglViewport(0, 0, this->Textures[first]->GetWidth(), this->Textures[first]->GetHeight());
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
 }
@@ -46,7 +53,7 @@ void vtkVirtualScreen::Bind(vtkOpenGLRenderWindow* window, unsigned int framebuf
 //------------------------------------------------------------------------------
 void vtkVirtualScreen::BeginShapes(vtkOpenGLRenderWindow* window)
 {
-  this->Bind(window, this->Framebuffers[0]);
+  this->Bind(window, SHAPES);
   this->Textures[SHAPES]->AttachLayer(0, 0, 0);
   this->Textures[PREDICTIONS]->AttachLayer(0, 0, 1);
   unsigned int buffers[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
@@ -58,7 +65,7 @@ void vtkVirtualScreen::BeginShapes(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkVirtualScreen::BeginSums(vtkOpenGLRenderWindow* window)
 {
-  this->Bind(window, this->Framebuffers[1]);
+  this->Bind(window, SUMS);
   this->Textures[SUMS]->AttachLayer(0);
   window->GetState()->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
   window->GetState()->vtkglEnable(GL_BLEND); // one plus one, as the base class set it
@@ -103,10 +110,10 @@ void vtkVirtualScreen::ReleaseGraphicsResources(vtkWindow* window)
   {
     texture->ReleaseGraphicsResources(window);
   }
-  if (this->Framebuffers[0])
+  if (this->Framebuffer)
   {
-    glDeleteFramebuffers(2, this->Framebuffers);
-    this->Framebuffers[0] = this->Framebuffers[1] = 0;
+    glDeleteFramebuffers(1, &this->Framebuffer);
+    this->Framebuffer = 0;
   }
 }
 VTK_ABI_NAMESPACE_END

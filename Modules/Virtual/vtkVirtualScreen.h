@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkVirtualScreen
- * @brief   The textures of the screen's size: kernel shapes, predictions, and sums over tiles.
+ * @brief   Textures of the screen's size: kernel shapes and predictions, or sums over tiles.
+ *
+ * An emitter's kernels are kept from the step that draws them to the one that filters; the sums serve
+ * one emitter after the other.
  */
 
 #ifndef vtkVirtualScreen_h
@@ -42,8 +45,14 @@ public:
   vtkVirtualScreen(const vtkVirtualScreen&) = delete;
   vtkVirtualScreen& operator=(const vtkVirtualScreen&) = delete;
 
-  /// False, with an error, if the textures cannot be had.
-  bool Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  ///@{
+  /// Shapes and predictions, or the sums. False, with an error, if the textures cannot be had.
+  bool AllocateShapes(vtkOpenGLRenderWindow* window, int width, int height);
+  bool AllocateSums(vtkOpenGLRenderWindow* window, int width, int height);
+  ///@}
+
+  /// What AllocateShapes takes.
+  static vtkTypeInt64 CountShapeBytes(int width, int height);
 
   ///@{
   /**
@@ -65,10 +74,10 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Bind(vtkOpenGLRenderWindow* window, unsigned int framebuffer);
+  void Bind(vtkOpenGLRenderWindow* window, TextureName first);
 
   vtkNew<vtkShadowTextureArray> Textures[NUMBER_OF_TEXTURES];
-  unsigned int Framebuffers[2] = { 0, 0 }; // of the shapes, of the sums
+  unsigned int Framebuffer = 0;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -40,8 +40,11 @@
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
 #include <memory> // For the implementation
+#include <vector> // For emitters
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkVirtualScreen;
+struct vtkVirtualEmitterState;
 
 class VTKRENDERINGSOFTSHADOWSVIRTUAL_EXPORT vtkVirtualSoftShadowPass : public vtkSoftShadowPass
 {
@@ -149,6 +152,20 @@ public:
   vtkGetMacro(MaximumTiles, int);
   ///@}
 
+  ///@{
+  /**
+   * How many frames old the grid may be that tiles are planned by, 0 or 1. With 0 the CPU waits, once
+   * per frame for all emitters, until the GPU has drawn this frame's grid. With 1 it does not: while
+   * the camera moves the grid of the frame before serves, if it has arrived, else an older one. Each
+   * cell then takes the finest wish of its 3 x 3 neighbours, and no cell is coarser than the search
+   * map. It waits only where the map itself changed (first frames, moved lights or casters that change
+   * its window). Once nothing changes, the next frame is drawn anew with its own grid: a still
+   * picture is the same with both settings. Default is 0: pictures do not depend on time.
+   */
+  vtkSetClampMacro(GridLatency, int, 0, 1);
+  vtkGetMacro(GridLatency, int);
+  ///@}
+
   enum DebugViewType
   {
     DEBUG_NONE = 0,
@@ -174,6 +191,12 @@ public:
   double GetCoarsening() const;
   ///@}
 
+  /**
+   * With GridLatency 1: by how much the texels of the last frame drawn by an older grid were larger
+   * than it asked for, at worst; 1 if they were not. Known a frame later.
+   */
+  double GetLatencyExcess() const;
+
   /// A line per emitter (tiles, texels, coarsening) and tile (window in the map, resolution).
   std::string GetTileReport() const;
 
@@ -181,7 +204,10 @@ protected:
   vtkVirtualSoftShadowPass();
   ~vtkVirtualSoftShadowPass() override;
 
+  bool BeginVisibility(const vtkSoftShadowContext& context) override;
+  void PrepareVisibility(const vtkSoftShadowContext& context) override;
   void AddVisibility(const vtkSoftShadowContext& context) override;
+  bool WantsVisibilityAnew() override;
   int GetEmitterMapSize() const override { return this->SearchMapSize; }
   bool NeedsConservativeMaps() const override { return true; }
   bool NeedsPyramid() const override { return true; }
@@ -202,14 +228,21 @@ protected:
   double Quality = 3.0;
   int SearchWidth = 24;
   int MaximumTiles = 256;
+  int GridLatency = 0;
   int DebugView = DEBUG_NONE;
 
 private:
   vtkVirtualSoftShadowPass(const vtkVirtualSoftShadowPass&) = delete;
   void operator=(const vtkVirtualSoftShadowPass&) = delete;
 
-  bool DrawShapes(const vtkSoftShadowContext& context);
-  bool PredictTiles(const vtkSoftShadowContext& context);
+  bool TakeShapes(
+    const vtkSoftShadowContext& context, vtkVirtualEmitterState& emitter, vtkVirtualScreen& screen);
+  bool DrawShapes(const vtkSoftShadowContext& context, const vtkVirtualEmitterState& emitter);
+  bool RequestEmitter(const vtkSoftShadowContext& context, vtkVirtualEmitterState& emitter);
+  bool RequestTiles(const vtkSoftShadowContext& context,
+    const std::vector<vtkVirtualEmitterState*>& emitters,
+    const std::vector<vtkShadowMapView>& views);
+  void LookBack(const vtkVirtualEmitterState& emitter);
   void PlanTiles(double mostTexels);
   void BakeTiles(const vtkSoftShadowContext& context);
   void DrawTiles(const vtkSoftShadowContext& context);

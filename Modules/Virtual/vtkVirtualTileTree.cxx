@@ -53,6 +53,54 @@ vtkVirtualTileTree::Pyramid vtkVirtualTileTree::MakePyramid(const Level& grid)
 }
 
 //------------------------------------------------------------------------------
+vtkVirtualTileTree::Level vtkVirtualTileTree::Widen(const Level& grid, float coarsest)
+{
+  Level wide(grid.size(), Cell{ coarsest, coarsest });
+  for (int y = 0; y < GridSize; ++y)
+  {
+    for (int x = 0; x < GridSize; ++x)
+    {
+      Cell& to = wide[static_cast<size_t>(y) * GridSize + x];
+      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, GridSize - 1); ++j)
+      {
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, GridSize - 1); ++i)
+        {
+          const Cell& from = grid[static_cast<size_t>(j) * GridSize + i];
+          to.R0 = std::min(to.R0, from.R0);
+          to.R1 = std::min(to.R1, from.R1);
+        }
+      }
+    }
+  }
+  return wide;
+}
+
+//------------------------------------------------------------------------------
+double vtkVirtualTileTree::GetExcess(const Level& grid) const
+{
+  Level sizes(grid.size()); // of the texels that there are
+  for (const vtkVirtualTile& tile : this->Tiles)
+  {
+    const float r0 = static_cast<float>(tile.Width) / GridSize / tile.Resolution;
+    const float r1 = static_cast<float>(tile.Height) / GridSize / tile.Resolution;
+    for (int y = tile.Y; y < tile.Y + tile.Height; ++y)
+    {
+      std::fill_n(sizes.begin() + y * GridSize + tile.X, tile.Width, Cell{ r0, r1 });
+    }
+  }
+  double excess = 1.0;
+  for (size_t i = 0; i < grid.size(); ++i)
+  {
+    if (std::min(grid[i].R0, grid[i].R1) < Unused)
+    {
+      const double worst = std::max(sizes[i].R0 / grid[i].R0, sizes[i].R1 / grid[i].R1);
+      excess = std::max(excess, std::min(worst, static_cast<double>(Unused)));
+    }
+  }
+  return excess;
+}
+
+//------------------------------------------------------------------------------
 int vtkVirtualTileTree::GetResolution(double texels, int largestTile)
 {
   // 32, 48, 64, 96, 128, ...: never more than half as fine again as need be.

@@ -73,6 +73,13 @@ public:
   /// Minima over 2 x 2 cells, up to a single one. The GPU does the same.
   static Pyramid MakePyramid(const Level& grid);
 
+  /**
+   * A grid that serves for another picture than it was drawn for, a frame later: every cell asks for
+   * the least of the texel sizes of the 3 x 3 cells around it, and none, not even the unused ones, for
+   * more than coarsest.
+   */
+  static Level Widen(const Level& grid, float coarsest);
+
   /// The least resolution a tile may have that is no less than this; at most the largest tile.
   static int GetResolution(double texels, int largestTile);
 
@@ -90,6 +97,10 @@ public:
 
   const std::vector<vtkVirtualTile>& GetTiles() const { return this->Tiles; }
   double GetTexels() const { return this->Texels; }
+
+  /// By how much texels of the tiles are larger than this grid asks for, at worst, and at least 1;
+  /// Unused if a tile is missing.
+  double GetExcess(const Level& grid) const;
 
   /// By how much texels are larger than asked for: 1 if the limits were kept without.
   double GetCoarsening() const { return this->Coarsening; }

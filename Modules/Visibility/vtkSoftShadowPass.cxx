@@ -234,7 +234,7 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
   this->DrawReceivers(s);
   impl.Timers.BeginStep("visibility");
   impl.Statistics.TechniqueCounts.clear();
-  this->EstimateLights(s);
+  this->EstimateLights(s, changed);
   impl.Signature.Swap(impl.NextSignature);
   ++impl.Statistics.VisibilityFrames;
 }

@@ -71,6 +71,8 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
   int FaceAxis = -1;
   /// The emitter; Weight is what its visibility is multiplied by.
   vtkShadowEmitter Emitter;
+  /// Whether anything that the visibility depends on changed; if not, the technique wanted it anew.
+  bool Changed = true;
   /// If the technique wants a map from the emitter's centre: the maps, and the layer to look at.
   vtkShadowDepthMaps* Maps = nullptr;
   int Layer = 0;
@@ -278,6 +280,16 @@ protected:
    */
   virtual void AddVisibility(const vtkSoftShadowContext& context) = 0;
 
+  /**
+   * Called before any emitter of a frame; of the context, what concerns an emitter is not set. True if
+   * PrepareVisibility is wanted: called for the emitters whose maps are all held at a time, before
+   * AddVisibility is for the first of them, in the same order. So the GPU can be asked for all and
+   * waited for once. A technique keeps what it prepares itself, and prepares what was left out.
+   * Framebuffer, viewport, blending and depth test are the technique's to set and to restore.
+   */
+  virtual bool BeginVisibility(const vtkSoftShadowContext&) { return false; }
+  virtual void PrepareVisibility(const vtkSoftShadowContext&) {}
+
   /// Whether AddVisibility needs a map from the emitter's centre. Default is yes.
   virtual bool NeedsEmitterMap() const { return true; }
 
@@ -394,7 +406,9 @@ private:
   void DrawReceivers(const vtkRenderState* s);
   void Shade(const vtkRenderState* s);
 
-  void EstimateLights(const vtkRenderState* s);
+  void EstimateLights(const vtkRenderState* s, bool changed);
+  void PrepareLight(vtkSoftShadowContext& context, int layer);
+  bool SelectPart(vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex);
   void EstimateLight(vtkSoftShadowContext& context, int layer);
   void EstimatePart(vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex);
   void Refine(const vtkRenderState* s);

@@ -49,7 +49,7 @@ int FindFaceAxis(const vtkShadowEmitter& face, size_t index)
 } // namespace
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s)
+void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s, bool changed)
 {
   Internals& impl = *this->Impl;
   if (impl.Statistics.LightsCasting == 0)
@@ -71,17 +71,63 @@ void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s)
   context.Fitter = &fitter;
   context.Receivers = impl.Receivers;
   context.Marks = impl.Target.GetMarks();
+  context.Changed = changed;
   impl.UsedQueries = 0;
-  for (size_t i = 0; i < impl.Lights.size() && impl.Target.GetTexture()->GetHandle(); ++i)
+  const bool prepare = this->BeginVisibility(context);
+  for (const bool preparing : { true, false })
   {
-    if (impl.Lights[i].Casts)
+    for (size_t i = 0; i < impl.Lights.size() && impl.Target.GetTexture()->GetHandle(); ++i)
     {
+      if (!impl.Lights[i].Casts || (preparing && !prepare))
+      {
+        continue;
+      }
       context.Light = static_cast<int>(i);
       context.Source = impl.Lights[i].Light;
-      this->EstimateLight(context, impl.Lights[i].Layer);
+      const int layer = impl.Lights[i].Layer;
+      if (preparing)
+      {
+        this->PrepareLight(context, layer);
+      }
+      else
+      {
+        this->EstimateLight(context, layer);
+      }
     }
   }
   window->GetState()->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::PrepareLight(vtkSoftShadowContext& context, int layer)
+{
+  vtkSoftShadowLightMaps& maps = *this->Impl->Maps[layer];
+  const std::vector<vtkSoftShadowLightMaps::Face>& faces = maps.GetFaces();
+  size_t parts = 0;
+  for (const vtkSoftShadowLightMaps::Face& face : faces)
+  {
+    parts += face.Parts.size();
+  }
+  if (parts > faces.size() && this->NeedsEmitterMap() && parts > this->GetMapsPerBatch())
+  {
+    return; // they would be drawn twice
+  }
+  context.Part = 0;
+  for (size_t f = 0; f < faces.size(); ++f)
+  {
+    context.FaceAxis = FindFaceAxis(faces[f].Emitter, f);
+    for (size_t p = 0; p < faces[f].Parts.size(); ++p)
+    {
+      context.Maps = maps.GetFaceMaps();
+      context.Pyramid = maps.GetFacePyramid();
+      context.Layer = faces[f].Layer;
+      if (this->SelectPart(context, layer, f, p))
+      {
+        this->PrepareVisibility(context);
+      }
+      ++context.Part;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -113,7 +159,7 @@ void vtkSoftShadowPass::EstimateLight(vtkSoftShadowContext& context, int layer)
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowPass::EstimatePart(
+bool vtkSoftShadowPass::SelectPart(
   vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex)
 {
   Internals& impl = *this->Impl;
@@ -123,13 +169,7 @@ void vtkSoftShadowPass::EstimatePart(
   context.Emitter = part.Emitter;
   if (!part.HasCasters)
   {
-    if (impl.ConstantShader.Use(context.Window))
-    {
-      impl.ConstantShader.GetProgram()->SetUniformf(
-        "weight", static_cast<float>(part.Emitter.Weight));
-      this->DrawFiltered(impl.ConstantShader);
-    }
-    return;
+    return false;
   }
   if (this->NeedsEmitterMap() && face.Parts.size() > 1)
   {
@@ -141,7 +181,24 @@ void vtkSoftShadowPass::EstimatePart(
     context.Pyramid = maps.GetPartPyramid();
     this->CountBakes(baked);
   }
-  this->AddVisibility(context);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::EstimatePart(
+  vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex)
+{
+  Internals& impl = *this->Impl;
+  if (this->SelectPart(context, layer, faceIndex, partIndex))
+  {
+    this->AddVisibility(context);
+  }
+  else if (impl.ConstantShader.Use(context.Window))
+  {
+    impl.ConstantShader.GetProgram()->SetUniformf(
+      "weight", static_cast<float>(context.Emitter.Weight));
+    this->DrawFiltered(impl.ConstantShader);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -111,6 +111,53 @@ TEST(VirtualTileTree, KeepsItsLimitsAndSaysByHowMuch)
   EXPECT_GT(limited, 20);
 }
 
+TEST(VirtualTileTree, AWideGridServesWhatMovesByACell)
+{
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> step(-1, 1);
+  constexpr float Coarsest = 1.0f / 1024.0f;
+  for (int i = 0; i < 60; ++i)
+  {
+    const vtkVirtualTileTree::Level grid = RandomGrid(random, 1e-4);
+    const vtkVirtualTileTree::Level wide = vtkVirtualTileTree::Widen(grid, Coarsest);
+    vtkVirtualTileTree::Limits limits;
+    limits.LargestTile = 4096;
+    limits.MostTexels = 1e12;
+    limits.MostTiles = Size * Size;
+    vtkVirtualTileTree tree;
+    tree.Build(vtkVirtualTileTree::MakePyramid(wide), limits);
+    CheckTiles(wide, tree, limits.LargestTile); // wide has no unused cells: nothing is left out
+    const int dx = step(random);
+    const int dy = step(random);
+    vtkVirtualTileTree::Level moved(Size * Size);
+    for (int y = std::max(dy, 0); y < std::min(Size + dy, Size); ++y)
+    {
+      for (int x = std::max(dx, 0); x < std::min(Size + dx, Size); ++x)
+      {
+        moved[y * Size + x] = grid[(y - dy) * Size + x - dx];
+      }
+    }
+    ASSERT_LT(tree.GetExcess(moved), 1.000001) << "grid " << i << " moved by " << dx << ", " << dy;
+    // Anything else is served as by a map of 1024 texels.
+    vtkVirtualTileTree::Level other(Size * Size);
+    other[static_cast<size_t>(i) * 67 % (Size * Size)] = { 0.1f * Coarsest, 0.2f * Coarsest };
+    ASSERT_LT(tree.GetExcess(other), 10.0001);
+  }
+}
+
+TEST(VirtualTileTree, TheExcessIsThatOfTheWorstCell)
+{
+  vtkVirtualTileTree::Level grid(Size * Size);
+  grid[3].R0 = grid[3].R1 = 1.0f / 2048.0f; // a tile of one cell: 32 texels
+  vtkVirtualTileTree tree;
+  tree.Build(vtkVirtualTileTree::MakePyramid(grid), vtkVirtualTileTree::Limits());
+  EXPECT_EQ(tree.GetExcess(grid), 1.0);
+  grid[3].R1 = 1.0f / 5120.0f;
+  EXPECT_NEAR(tree.GetExcess(grid), 2.5, 1e-5);
+  grid.back().R0 = grid.back().R1 = 0.5f;
+  EXPECT_GT(tree.GetExcess(grid), 1e20) << "no tile";
+}
+
 TEST(VirtualTileTree, AnEmptyGridHasNoTiles)
 {
   vtkVirtualTileTree tree;

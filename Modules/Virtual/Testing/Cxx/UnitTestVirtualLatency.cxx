@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The grid's way to the CPU: how often it is waited for, and what the grid of the frame before costs.
+
+#include "OffscreenWindow.h"
+#include "Picture.h"
+#include "Scenes.h"
+
+#include "vtkActor.h"
+#include "vtkAreaLight.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVirtualSoftShadowPass.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace SoftShadowsTesting;
+
+namespace
+{
+constexpr int Width = 160;
+constexpr int Height = 120;
+
+vtkSmartPointer<vtkAreaLight> MakeLight(double x, double y, double size)
+{
+  auto light = vtkSmartPointer<vtkAreaLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->PositionalOn();
+  light->SetConeAngle(90.0);
+  light->SetShapeToRectangle();
+  light->SetPosition(x, y, 6.0);
+  light->SetFocalPoint(0, 0, 0);
+  light->SetViewUp(0, 1, 0);
+  light->SetSize(size, size);
+  return light;
+}
+
+// Rows of plates over a floor, from the camera's feet to far away.
+class PlatesWindow
+{
+public:
+  explicit PlatesWindow(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights)
+    : Window(Width, Height)
+  {
+    this->Renderer->AutomaticLightCreationOff();
+    this->Renderer->AddActor(
+      MakeQuadActor({ Quad{ { { -9, -9, 0 } }, { { 18, 0, 0 } }, { { 0, 18, 0 } } } }));
+    std::vector<Quad> plates;
+    for (int i = 0; i < 64; ++i)
+    {
+      plates.push_back({ { { i % 8 - 3.9, i / 8 - 3.9, 0.3 + 0.05 * (i % 5) } }, { { 0.5, 0, 0 } },
+        { { 0, 0.5, 0 } } });
+    }
+    this->Renderer->AddActor(MakeQuadActor(plates));
+    for (const auto& light : lights)
+    {
+      this->Renderer->AddLight(light);
+    }
+    this->Window.Add(this->Renderer);
+    UsePass(this->Renderer, this->Pass);
+    this->Look(0.0, -4.0);
+  }
+  ~PlatesWindow()
+  {
+    this->Pass->ReleaseGraphicsResources(this->Window.Get());
+    UsePass(this->Renderer, nullptr);
+    this->Window.Remove(this->Renderer);
+  }
+
+  void Look(double x, double y)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(x, y, 1.2);
+    camera->SetFocalPoint(x, y + 4.0, 0);
+    camera->SetViewUp(0, 0, 1);
+    camera->SetViewAngle(40);
+    this->Renderer->ResetCameraClippingRange();
+  }
+
+  // Reading waits for the GPU: a fence of this frame is signalled in the next.
+  Picture Visibility(int light = 0)
+  {
+    this->Window.Render();
+    return PictureOf(this->Pass->GetVisibilityImage(light));
+  }
+
+  // Of all three lights, added to what is there.
+  void VisibilitiesTo(std::vector<Picture>& pictures)
+  {
+    this->Window.Render();
+    for (int light = 0; light < 3; ++light)
+    {
+      pictures.push_back(PictureOf(this->Pass->GetVisibilityImage(light)));
+    }
+  }
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkVirtualSoftShadowPass> Pass;
+  OffscreenWindow Window;
+};
+
+struct Errors
+{
+  double RootMeanSquare = 0.0;
+  double Maximum = 0.0;
+};
+
+Errors Compare(const Picture& picture, const Picture& expected)
+{
+  Errors errors;
+  int pixels = 0;
+  for (size_t i = 0; i < expected.Values.size(); ++i)
+  {
+    if (!std::isnan(expected.Values[i]))
+    {
+      const double error = picture.Values[i] - expected.Values[i];
+      errors.Maximum = std::max(errors.Maximum, std::abs(error));
+      errors.RootMeanSquare += error * error;
+      ++pixels;
+    }
+  }
+  errors.RootMeanSquare = std::sqrt(errors.RootMeanSquare / std::max(pixels, 1));
+  return errors;
+}
+
+std::vector<vtkSmartPointer<vtkAreaLight>> ThreeLights()
+{
+  return { MakeLight(1.5, 1.0, 0.05), MakeLight(-3.0, 0.5, 0.5), MakeLight(0.0, -2.0, 2.0) };
+}
+
+// A walk by a twentieth of the nearest distance per frame.
+void Step(PlatesWindow& window, int frame)
+{
+  window.Look(0.05 * frame, -4.0 + 0.06 * frame);
+}
+} // namespace
+
+TEST(VirtualLatency, AllLightsOfAFrameAreWaitedForOnce)
+{
+  PlatesWindow window(ThreeLights());
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    Step(window, frame);
+    window.Window.Render();
+    EXPECT_EQ(window.Pass->GetCount("grid_waits"), 1) << "frame " << frame;
+    EXPECT_EQ(window.Pass->GetCount("late_grids"), 0) << "frame " << frame;
+  }
+  window.Pass->SetSplit(2); // twelve emitters
+  window.Window.Render();
+  EXPECT_EQ(window.Pass->GetCount("grid_waits"), 1) << "parts";
+}
+
+TEST(VirtualLatency, EmittersThatAreNotPreparedTogetherLookTheSame)
+{
+  // Kernels of one emitter fit the memory allowed: the others are drawn and waited for by turns.
+  PlatesWindow window(ThreeLights());
+  window.Pass->SetMapMemory(64);
+  window.Pass->SetQuality(0.5);
+  window.Visibility();
+  EXPECT_EQ(window.Pass->GetCount("grid_waits"), 1);
+  std::vector<Picture> together;
+  window.VisibilitiesTo(together);
+  const int tiles = window.Pass->GetNumberOfTiles();
+  window.Pass->SetMapMemory(2); // 0.5 MiB for 0.6 MiB per emitter
+  window.Visibility();
+  EXPECT_EQ(window.Pass->GetCount("grid_waits"), 3);
+  ASSERT_EQ(window.Pass->GetNumberOfTiles(), tiles) << "coarser: nothing to compare";
+  for (int light = 0; light < 3; ++light)
+  {
+    EXPECT_EQ(Compare(window.Visibility(light), together[light]).Maximum, 0.0) << light;
+  }
+}
+
+TEST(VirtualLatency, AMovingCameraIsNeverWaitedForAndAsRight)
+{
+  // An edge between pixels falls to one side or the other with the tiles that happen to be planned, so
+  // both are held against finer tiles.
+  constexpr int Frames = 4;
+  PlatesWindow window(ThreeLights());
+  std::vector<Picture> exact;
+  std::vector<Picture> fine;
+  for (int frame = 1; frame < Frames; ++frame)
+  {
+    Step(window, frame);
+    window.VisibilitiesTo(exact);
+    window.Pass->SetQuality(8.0);
+    window.VisibilitiesTo(fine);
+    window.Pass->SetQuality(3.0);
+  }
+  window.Pass->SetGridLatency(1);
+  Step(window, 0);
+  window.Visibility();
+  window.Visibility();
+  for (int frame = 1; frame < Frames; ++frame)
+  {
+    Step(window, frame);
+    std::vector<Picture> late;
+    window.VisibilitiesTo(late);
+    EXPECT_EQ(window.Pass->GetCount("grid_waits"), 0) << "frame " << frame;
+    EXPECT_EQ(window.Pass->GetCount("late_grids"), 3) << "frame " << frame;
+    // A step changes what is asked for by less than the neighbours' wishes cover.
+    EXPECT_LT(window.Pass->GetLatencyExcess(), 1.1) << "frame " << frame;
+    for (int light = 0; light < 3; ++light)
+    {
+      const size_t index = 3 * (frame - 1) + light;
+      const Errors between = Compare(late[light], exact[index]);
+      const Errors before = Compare(exact[index], fine[index]);
+      const Errors after = Compare(late[light], fine[index]);
+      EXPECT_GT(between.Maximum, 0.0) << "frame " << frame << ": the same tiles";
+      EXPECT_LT(between.RootMeanSquare, 0.04) << "frame " << frame << " light " << light;
+      EXPECT_LT(after.RootMeanSquare, 1.1 * before.RootMeanSquare)
+        << "frame " << frame << " light " << light;
+    }
+    EXPECT_LT(Compare(late[2], exact[3 * (frame - 1) + 2]).Maximum, 0.1) << "frame " << frame;
+  }
+}
+
+TEST(VirtualLatency, ALeapOfTheCameraLeavesNoHole)
+{
+  // What the frame before did not look at has tiles no coarser than the search map.
+  PlatesWindow window(ThreeLights());
+  std::vector<Picture> exact;
+  std::vector<Picture> late;
+  window.Look(0.0, 1.0);
+  window.VisibilitiesTo(exact);
+  window.Pass->SetGridLatency(1);
+  window.Look(3.0, -5.0);
+  window.Visibility();
+  window.Look(0.0, 1.0);
+  window.VisibilitiesTo(late);
+  EXPECT_EQ(window.Pass->GetCount("grid_waits"), 0);
+  for (int light = 0; light < 3; ++light)
+  {
+    EXPECT_LT(Compare(late[light], exact[light]).RootMeanSquare, 0.04) << "light " << light;
+  }
+  // The next frame tells: finer texels were asked for, but for no more than that map has.
+  window.Visibility();
+  EXPECT_GT(window.Pass->GetLatencyExcess(), 1.0);
+  EXPECT_LT(window.Pass->GetLatencyExcess(), 100.0);
+}
+
+TEST(VirtualLatency, AStillPictureIsTheExactOne)
+{
+  PlatesWindow window(ThreeLights());
+  Step(window, 5);
+  std::vector<Picture> exact;
+  window.VisibilitiesTo(exact);
+  const std::string tiles = window.Pass->GetTileReport();
+  window.Pass->SetGridLatency(1);
+  for (int frame = 3; frame <= 5; ++frame)
+  {
+    Step(window, frame);
+    window.Visibility();
+  }
+  EXPECT_NE(window.Pass->GetTileReport(), tiles) << "nothing was late";
+  const vtkTypeInt64 drawn = window.Pass->GetStatistics().VisibilityFrames;
+  window.Visibility();
+  EXPECT_EQ(window.Pass->GetStatistics().VisibilityFrames, drawn + 1) << "is not drawn anew";
+  EXPECT_EQ(window.Pass->GetCount("grid_waits"), 0);
+  EXPECT_EQ(window.Pass->GetCount("late_grids"), 0);
+  EXPECT_EQ(window.Pass->GetTileReport(), tiles);
+  for (int light = 0; light < 3; ++light)
+  {
+    EXPECT_EQ(Compare(window.Visibility(light), exact[light]).Maximum, 0.0) << "light " << light;
+  }
+  EXPECT_EQ(window.Pass->GetStatistics().VisibilityFrames, drawn + 1) << "is drawn for ever";
+}
+
+TEST(VirtualLatency, AMapThatMovedIsWaitedFor)
+{
+  const std::vector<vtkSmartPointer<vtkAreaLight>> lights = ThreeLights();
+  PlatesWindow window(lights);
+  lights[1]->SetPosition(-3.0, 0.6, 6.0);
+  window.Visibility();
+  const Picture exact = window.Visibility(1);
+  lights[1]->SetPosition(-3.0, 0.5, 6.0);
+  window.Pass->SetGridLatency(1);
+  window.Visibility();
+  lights[1]->SetPosition(-3.0, 0.6, 6.0);
+  const Picture moved = window.Visibility(1);
+  EXPECT_EQ(window.Pass->GetCount("grid_waits"), 1);
+  EXPECT_EQ(Compare(moved, exact).Maximum, 0.0);
+}
+
+TEST(VirtualLatency, LightsThatGoTakeTheirTilesAlong)
+{
+  const std::vector<vtkSmartPointer<vtkAreaLight>> lights = ThreeLights();
+  PlatesWindow window(lights);
+  window.Visibility();
+  const int tiles = window.Pass->GetNumberOfTiles();
+  lights[2]->SwitchOff();
+  window.Visibility();
+  EXPECT_LT(window.Pass->GetNumberOfTiles(), tiles);
+  EXPECT_EQ(window.Pass->GetTileReport().find("light 2"), std::string::npos);
+}

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVirtualRequest.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowsOpenGL.h"
+
+#include <cstring>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr int GridSize = vtkVirtualTileTree::GridSize;
+constexpr int GridLevels = vtkVirtualTileTree::GridLevels;
+
+// Of all levels together.
+GLsizeiptr CountBytes()
+{
+  size_t cells = 0;
+  for (int level = 0; level < GridLevels; ++level)
+  {
+    cells += static_cast<size_t>(GridSize >> level) * (GridSize >> level);
+  }
+  return static_cast<GLsizeiptr>(cells * sizeof(vtkVirtualTileTree::Cell));
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkVirtualRequest::~vtkVirtualRequest() = default;
+
+//------------------------------------------------------------------------------
+void vtkVirtualRequest::Start(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* cells,
+  const vtkShadowMapView& view, vtkTypeInt64 state)
+{
+  if (!this->PixelBuffer)
+  {
+    glGenBuffers(1, &this->PixelBuffer);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
+    glBufferData(GL_PIXEL_PACK_BUFFER, CountBytes(), nullptr, GL_STREAM_READ);
+  }
+  window->GetState()->vtkglReadBuffer(GL_COLOR_ATTACHMENT0);
+  GLint alignment = 1;
+  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
+  window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
+  size_t offset = 0;
+  for (int level = 0; level < GridLevels; ++level)
+  {
+    const int size = GridSize >> level;
+    cells->AttachLayer(0, level);
+    glReadPixels(0, 0, size, size, GL_RG, GL_FLOAT, reinterpret_cast<void*>(offset));
+    offset += static_cast<size_t>(size) * size * sizeof(vtkVirtualTileTree::Cell);
+  }
+  window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, alignment);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  if (this->Fence)
+  {
+    glDeleteSync(static_cast<GLsync>(this->Fence));
+  }
+  this->Fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  this->SentView = view;
+  this->SentState = state;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualRequest::HasArrived() const
+{
+  if (!this->Fence)
+  {
+    return false;
+  }
+  const GLenum status =
+    glClientWaitSync(static_cast<GLsync>(this->Fence), GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+  return status == GL_ALREADY_SIGNALED || status == GL_CONDITION_SATISFIED;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualRequest::Collect()
+{
+  return this->HasArrived() && this->Take();
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualRequest::Wait()
+{
+  return this->Fence && this->Take(); // mapping the buffer waits
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualRequest::Take()
+{
+  glDeleteSync(static_cast<GLsync>(this->Fence));
+  this->Fence = nullptr;
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
+  const void* data = glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, CountBytes(), GL_MAP_READ_BIT);
+  if (data)
+  {
+    this->Wishes.resize(GridLevels);
+    const auto* cells = static_cast<const vtkVirtualTileTree::Cell*>(data);
+    for (int i = 0; i < GridLevels; ++i)
+    {
+      vtkVirtualTileTree::Level& level = this->Wishes[i];
+      level.resize(static_cast<size_t>(GridSize >> i) * (GridSize >> i));
+      std::memcpy(level.data(), cells, level.size() * sizeof(vtkVirtualTileTree::Cell));
+      cells += level.size();
+    }
+    glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+    this->HeldView = this->SentView;
+    this->HeldState = this->SentState;
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  return data != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualRequest::ReleaseGraphicsResources()
+{
+  if (this->Fence)
+  {
+    glDeleteSync(static_cast<GLsync>(this->Fence));
+    this->Fence = nullptr;
+  }
+  if (this->PixelBuffer)
+  {
+    glDeleteBuffers(1, &this->PixelBuffer);
+    this->PixelBuffer = 0;
+  }
+  this->Wishes.clear();
+}
+VTK_ABI_NAMESPACE_END
