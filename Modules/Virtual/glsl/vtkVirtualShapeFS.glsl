@@ -29,6 +29,10 @@ uniform float largestKernel; // pixels
 // No surface asks for finer texels than one that the light meets at this cosine.
 const float leastFacing = 0.25;
 
+// Where less of the light is in front of a plane, it is too steep to tell near blockers from its own
+// depth; the horizon alone decides then.
+const float leastInFront = 0.65;
+
 // Octaves of distances from the receiver that are searched for blockers.
 const int mostShells = 12;
 
@@ -48,11 +52,12 @@ vec2 overlap(vec2 low, vec2 high, vec2 from, vec2 to)
 }
 
 // Sums over blockers: linear depths, and the shares of the light that they hide, which are the weights.
-// Where only blocks' least depths were met, which may be anywhere within the block: found, but seen by
-// no sample.
+// near: those that the plane's own least depth within a texel might be taken for. possible: where only
+// blocks' least depths were met, which may be anywhere within the block: found, but seen by no sample.
 struct Blockers
 {
   vec2 seen;
+  vec2 near;
   vec2 possible;
 };
 
@@ -95,6 +100,8 @@ void addShell(MapPoint point, float nearest, float farthest, bool isFirst, vec2 
   float stride = float(1 << level);
   vec2 last = min(center + reach, depthMapSize - 1.0);
   vec2 first = floor(max(center - reach, vec2(0.0)) / stride) * stride;
+  // The map keeps the least depth within a texel: a plane's own may lie so far in front of it.
+  float own = dot(abs(point.gradient), vec2(0.5 / depthMapSize));
   for (float y = first.y; y <= last.y; y += stride)
   {
     for (float x = first.x; x <= last.x; x += stride)
@@ -106,7 +113,10 @@ void addShell(MapPoint point, float nearest, float farthest, bool isFirst, vec2 
       if (delta > nearest && delta <= farthest && isBlocker(point, st, depth))
       {
         float share = shareOfBlock(center, imageAt(delta, pixelReach), block, stride);
-        blockers.seen += share * vec2(linearDepth(depth), 1.0);
+        vec2 sums = share * vec2(linearDepth(depth), 1.0);
+        bool isOwn = !isBlocker(point, st, depth + own);
+        blockers.seen += isOwn ? vec2(0.0) : sums;
+        blockers.near += isOwn ? sums : vec2(0.0);
       }
       if (isFirst && level > 0)
       {
@@ -120,9 +130,9 @@ void addShell(MapPoint point, float nearest, float farthest, bool isFirst, vec2 
 //
 // The nearer a blocker stands to the receiver, the smaller is the light's image at its depth: each
 // octave of distances is searched with as many samples, the last one texel by texel.
-float meanBlocker(MapPoint point, float farthest, vec2 pixelReach)
+float meanBlocker(MapPoint point, float farthest, vec2 pixelReach, bool isGrazed)
 {
-  Blockers blockers = Blockers(vec2(0.0), vec2(0.0));
+  Blockers blockers = Blockers(vec2(0.0), vec2(0.0), vec2(0.0));
   float outer = farthest;
   for (int shell = 0; shell < mostShells; ++shell)
   {
@@ -136,6 +146,10 @@ float meanBlocker(MapPoint point, float farthest, vec2 pixelReach)
     outer *= 0.5;
   }
   vec2 sums = blockers.seen.y > 0.0 ? blockers.seen : blockers.possible;
+  if (sums.y == 0.0 && !isGrazed)
+  {
+    sums = blockers.near;
+  }
   return sums.y > 0.0 ? mapDepthOfLinear(sums.x / sums.y) : -1.0;
 }
 
@@ -250,7 +264,7 @@ void main()
   }
   float inFront = shareInFront(point);
   mayBlock = mayBlock && inFront > 0.0;
-  float blocker = mayBlock ? meanBlocker(point, farthest, pixelReach) : -1.0;
+  float blocker = mayBlock ? meanBlocker(point, farthest, pixelReach, inFront < leastInFront) : -1.0;
   if (blocker < 0.0)
   {
     gl_FragData[0].w = VIRTUAL_LIT + inFront;
