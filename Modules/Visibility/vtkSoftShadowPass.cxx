@@ -9,12 +9,12 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
-#include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowMapFitter.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowPassInternals.h"
+#include "vtkSoftShadowRendererDuties.h"
 #include "vtkSoftShadowsOpenGL.h"
 #include "vtkTextureUnitManager.h"
 
@@ -134,6 +134,7 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
       impl.Window, this); // one pass for two windows: nothing can move from one to the other
   }
   impl.Window = window;
+  vtkSoftShadowRendererDuties::UpdateStereo(s->GetRenderer());
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, impl.Viewport);
   this->CollectLights(s);
@@ -156,6 +157,15 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
     impl.Timers.BeginStep("shading");
   }
   this->Shade(s);
+  if (shadows && impl.ShadingMappers.Contradicts(impl.ReceiverMappers))
+  {
+    // A prop drew another level of detail than the receivers have. Which one it will draw is not known
+    // before: only now. At most one correction per frame, what is drawn over it has the same depth.
+    impl.Signature.Clear();
+    this->UpdateVisibility(s);
+    impl.Timers.BeginStep("shading");
+    this->Shade(s);
+  }
   impl.Timers.EndFrame();
   this->PostRender(s);
   if (impl.HasNews)
@@ -195,10 +205,7 @@ void vtkSoftShadowPass::CollectLights(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void vtkSoftShadowPass::DrawOpaque(const vtkRenderState* s)
 {
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
-  {
-    this->NumberOfRenderedProps += s->GetPropArray()[i]->RenderOpaqueGeometry(s->GetRenderer());
-  }
+  this->NumberOfRenderedProps = vtkSoftShadowRendererDuties::DrawOpaque(s);
 }
 
 //------------------------------------------------------------------------------
@@ -311,9 +318,11 @@ void vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
     ++impl.Statistics.Allocations;
   }
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_RECEIVE;
+  impl.ReceiverMappers.Clear();
+  impl.Drawn = &impl.ReceiverMappers;
   this->DrawOpaque(s);
+  impl.Drawn = nullptr;
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
-  this->NumberOfRenderedProps = 0;
   impl.Receivers->End(s->GetRenderer());
 }
 
@@ -325,15 +334,18 @@ void vtkSoftShadowPass::Shade(const vtkRenderState* s)
   impl.Hooks.Origin[1] = impl.Viewport[1];
   vtkShadowTextureArray* visibility = impl.Target.GetTexture();
   impl.Hooks.VisibilityUnit = visibility->Activate(GetWindow(s));
-  if (this->DelegatePass)
+  impl.ShadingMappers.Clear();
+  impl.Drawn = &impl.ShadingMappers;
+  if (this->DelegatePass && !s->GetRenderer()->GetSelector())
   {
     this->DelegatePass->Render(s);
-    this->NumberOfRenderedProps += this->DelegatePass->GetNumberOfRenderedProps();
+    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
   }
   else
   {
     this->DrawOpaque(s);
   }
+  impl.Drawn = nullptr;
   visibility->Deactivate();
 }
 
@@ -356,8 +368,12 @@ bool vtkSoftShadowPass::PostReplaceShaderValues(
 
 //------------------------------------------------------------------------------
 bool vtkSoftShadowPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
+  if (this->Impl->Drawn)
+  {
+    this->Impl->Drawn->Add(prop, mapper);
+  }
   this->Impl->Hooks.SetUniforms(program, prop);
   return true;
 }

@@ -15,6 +15,7 @@
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
 #include "vtkSoftShadowAccumulator.h"
+#include "vtkSoftShadowDrawnMappers.h"
 #include "vtkSoftShadowLightMaps.h"
 #include "vtkSoftShadowMapperHooks.h"
 #include "vtkSoftShadowPass.h"
@@ -64,6 +65,9 @@ public:
   vtkNew<vtkShadowReceivers> Receivers;
   vtkSoftShadowTarget Target;
   vtkSoftShadowMapperHooks Hooks;
+  vtkSoftShadowDrawnMappers ReceiverMappers; // of the visibility that is held
+  vtkSoftShadowDrawnMappers ShadingMappers;
+  vtkSoftShadowDrawnMappers* Drawn = nullptr; // one of them while it is drawn
   vtkSoftShadowTimers Timers;
   vtkSoftShadowStatistics Statistics;
   vtkSoftShadowSignature Signature;     // of the visibility that is held

@@ -28,7 +28,6 @@
 #include "vtkToneMappingPass.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -206,26 +205,6 @@ TEST(Frames, MultisampledWindow)
   EXPECT_EQ(CountOpenGLErrors(), 0);
   stage.SetPass(nullptr);
   EXPECT_GT(CountDarker(with, stage.RenderColors()), CountShadowed(expected) / 2);
-}
-
-//------------------------------------------------------------------------------
-// A picture in tiles is the picture of a window of that size.
-TEST(Frames, TiledCapture)
-{
-  const BallScene scene = MakeBallScene();
-  Picture expected;
-  {
-    Stage stage(scene.Renderer, MakePass(), 2 * Width, 2 * Height);
-    expected = stage.RenderColors();
-  }
-  Stage stage(scene.Renderer, MakePass(), Width, Height);
-  vtkNew<vtkWindowToImageFilter> capture;
-  capture->SetInput(stage.GetWindow().Get());
-  capture->SetScale(2);
-  capture->ReadFrontBufferOff();
-  capture->Update();
-  EXPECT_TRUE(Matches(PictureOf(capture->GetOutput()), expected, SameButForEdges));
-  EXPECT_EQ(CountOpenGLErrors(), 0);
 }
 
 //------------------------------------------------------------------------------
