@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DifferencePicture.h"
 
-#include <OpenImageIO/imageio.h>
+#include "ImageFile.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkNew.h>
 
-#include <cmath>     // For std::isnan
-#include <stdexcept> // For errors
+#include <cmath> // For std::isnan
 
 namespace softshadows
 {
@@ -44,17 +43,8 @@ std::vector<unsigned char> DrawDifference(
 void WritePicture(
   const std::string& path, int width, int height, const std::vector<unsigned char>& rgb)
 {
-  const auto output = OIIO::ImageOutput::create(path);
-  if (!output)
-  {
-    throw std::runtime_error(path + ": " + OIIO::geterror());
-  }
   const OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-  if (!output->open(path, spec) || !output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) ||
-    !output->close())
-  {
-    throw std::runtime_error(path + ": " + output->geterror());
-  }
+  WriteImageFile(path, spec, OIIO::TypeDesc::UINT8, rgb.data());
 }
 
 }

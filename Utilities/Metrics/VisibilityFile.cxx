@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VisibilityFile.h"
 
+#include "ImageFile.h"
+
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm> // For std::find
-#include <cstdio>    // For std::remove
 #include <stdexcept> // For errors
 
 namespace softshadows
@@ -111,25 +112,11 @@ void WriteVisibility(const std::string& path, const VisibilityImage& image)
     }
   }
 
-  const auto output = OIIO::ImageOutput::create(path);
-  if (!output)
-  {
-    Fail(path, OIIO::geterror());
-  }
   OIIO::ImageSpec spec(
     image.Width, image.Height, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
   spec.channelnames = names;
   spec.attribute("compression", "zip");
-  if (!output->open(path, spec))
-  {
-    Fail(path, output->geterror());
-  }
-  if (!output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) || !output->close())
-  {
-    const std::string reason = output->geterror();
-    std::remove(path.c_str());
-    Fail(path, reason);
-  }
+  WriteImageFile(path, spec, OIIO::TypeDesc::FLOAT, pixels.data());
 }
 
 }

@@ -114,13 +114,14 @@ void Compare(const CompareOptions& options)
     report["lights"].push_back(entry);
     if (!options.Picture.empty())
     {
-      WritePicture(outputs.Add(PicturePath(options, light)), reference.Width, reference.Height,
-        DrawDifference(truth, estimate, options.Range));
+      const std::string picture = outputs.Add(PicturePath(options, light));
+      const auto colors = DrawDifference(truth, estimate, options.Range);
+      outputs.Write([&] { WritePicture(picture, reference.Width, reference.Height, colors); });
     }
   }
   if (!reportFile.empty())
   {
-    WriteReport(reportFile, report);
+    outputs.Write([&] { WriteReport(reportFile, report); });
   }
   outputs.Commit();
 }

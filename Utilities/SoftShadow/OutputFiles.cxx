@@ -3,6 +3,8 @@
 
 #include "OutputFiles.h"
 
+#include "UnfinishedFiles.h"
+
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -37,6 +39,37 @@ bool IsSameFile(const std::string& a, const std::string& b)
     fs::weakly_canonical(fs::absolute(b), error);
 }
 
+/// A device or a pipe: it is written into, never replaced.
+bool IsStream(const fs::path& path)
+{
+  std::error_code error;
+  return fs::exists(path, error) && !fs::is_regular_file(path, error);
+}
+
+/// Where the file really is: what a link points at is replaced, not the link.
+fs::path Resolve(const std::string& path)
+{
+  std::error_code error;
+  if (!fs::is_symlink(path, error))
+  {
+    return path;
+  }
+  const fs::path target = fs::weakly_canonical(path, error);
+  return error ? fs::path(path) : target;
+}
+
+void CopyInto(const std::string& file, const std::string& stream)
+{
+  std::ifstream from(file, std::ios::binary);
+  std::ofstream to(stream, std::ios::binary);
+  to << from.rdbuf();
+  to.close();
+  if (!from || !to)
+  {
+    throw std::runtime_error(stream + ": cannot be written");
+  }
+}
+
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -52,6 +85,7 @@ OutputFiles::~OutputFiles()
   {
     std::error_code error;
     fs::remove(file.first, error);
+    ForgetUnfinished(file.first);
   }
 }
 
@@ -76,41 +110,86 @@ std::string OutputFiles::Add(const std::string& path)
       throw std::runtime_error(path + ": is to be written twice");
     }
   }
-  const fs::path final(path);
+  const fs::path final = Resolve(path);
   std::error_code error;
   if (fs::is_directory(final, error))
   {
     throw std::runtime_error(path + ": is a folder");
   }
-  const fs::path folder = final.has_parent_path() ? final.parent_path() : fs::path(".");
+  fs::path folder = final.has_parent_path() ? final.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error))
   {
     throw std::runtime_error(path + ": there is no folder " + folder.string());
   }
+  if (IsStream(final))
+  {
+    folder = fs::temp_directory_path();
+  }
   const fs::path temporary = folder /
     ("." + final.stem().string() + "-" + std::to_string(ProcessNumber()) + "-" +
-      std::to_string(this->Files.size()) + final.extension().string());
+      std::to_string(this->Files.size()) + fs::path(path).extension().string());
+  RememberUnfinished(temporary.string());
   std::ofstream trial(temporary, std::ios::binary);
   trial.close();
   if (!trial)
   {
+    ForgetUnfinished(temporary.string());
     throw std::runtime_error(path + ": the folder cannot be written to");
   }
-  this->Files.emplace_back(temporary.string(), path);
+  this->Files.emplace_back(temporary.string(), final.string());
   return temporary.string();
+}
+
+//--------------------------------------------------------------------------------------------------
+void OutputFiles::Write(const std::function<void()>& write) const
+{
+  try
+  {
+    write();
+  }
+  catch (const std::runtime_error& error)
+  {
+    std::string message = error.what();
+    for (const auto& file : this->Files)
+    {
+      const std::size_t place = message.find(file.first);
+      if (place != std::string::npos)
+      {
+        message.replace(place, file.first.size(), file.second);
+      }
+    }
+    throw std::runtime_error(message);
+  }
 }
 
 //--------------------------------------------------------------------------------------------------
 void OutputFiles::Commit()
 {
+  // Streams first: they may be full, and then nothing else is written.
+  for (const auto& file : this->Files)
+  {
+    if (IsStream(file.second))
+    {
+      CopyInto(file.first, file.second);
+    }
+  }
   while (!this->Files.empty())
   {
+    const auto& file = this->Files.back();
     std::error_code error;
-    fs::rename(this->Files.back().first, this->Files.back().second, error);
+    if (IsStream(file.second))
+    {
+      fs::remove(file.first, error);
+    }
+    else
+    {
+      fs::rename(file.first, file.second, error);
+    }
     if (error)
     {
-      throw std::runtime_error(this->Files.back().second + ": " + error.message());
+      throw std::runtime_error(file.second + ": " + error.message());
     }
+    ForgetUnfinished(file.first);
     this->Files.pop_back();
   }
 }

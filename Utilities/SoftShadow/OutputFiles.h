@@ -8,6 +8,7 @@
 #ifndef OutputFiles_h
 #define OutputFiles_h
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +18,9 @@ namespace softshadows
 
 /**
  * Files are written under other names beside their places and moved there by Commit. Without Commit
- * nothing is left of them, and what was there before stays.
+ * nothing is left of them, and what was there before stays, also where a signal ends the process.
+ * What a link points at is replaced, not the link. Devices and pipes are never replaced: Commit writes
+ * into them, before it moves anything.
  */
 class OutputFiles
 {
@@ -34,6 +37,9 @@ public:
    * the file's place, and if the file is an input or added already.
    */
   std::string Add(const std::string& path);
+
+  /// Runs what writes files under the names that Add gave; its errors speak of the files' own names.
+  void Write(const std::function<void()>& write) const;
 
   /// Moves all files to their places. Throws std::runtime_error.
   void Commit();

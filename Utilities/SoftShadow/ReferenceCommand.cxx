@@ -68,7 +68,9 @@ void TraceReference(const ReferenceOptions& options)
   tracer.SetPilotSamplesPerAxis(options.Pilot > 0 ? PerAxis(options.Pilot) : 0);
   tracer.SetProgress(ShowProgress);
   ReferenceVisibility traced = tracer.Trace(built.Renderer);
-  WriteVisibility(output, { width, height, std::move(traced.Visibility), std::move(traced.Depth) });
+  const VisibilityImage image = { width, height, std::move(traced.Visibility),
+    std::move(traced.Depth) };
+  outputs.Write([&] { WriteVisibility(output, image); });
   outputs.Commit();
 }
 

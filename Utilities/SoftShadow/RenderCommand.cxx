@@ -105,18 +105,22 @@ void Render(const RenderOptions& options)
   {
     frame.Render();
   }
-  if (!image.empty())
-  {
-    WritePicture(image, scene.Width, scene.Height, frame.GetPicture());
-  }
-  if (!visibility.empty())
-  {
-    WriteVisibility(visibility, frame.GetVisibility());
-  }
-  if (!report.empty())
-  {
-    WriteText(report, ReportFrame(options.Scene.Files, technique, frame));
-  }
+  outputs.Write(
+    [&]
+    {
+      if (!image.empty())
+      {
+        WritePicture(image, scene.Width, scene.Height, frame.GetPicture());
+      }
+      if (!visibility.empty())
+      {
+        WriteVisibility(visibility, frame.GetVisibility());
+      }
+      if (!report.empty())
+      {
+        WriteText(report, ReportFrame(options.Scene.Files, technique, frame));
+      }
+    });
   outputs.Commit();
 }
 

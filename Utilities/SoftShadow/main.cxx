@@ -19,6 +19,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -68,6 +69,10 @@ int Run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+#ifdef SIGXFSZ
+  std::signal(
+    SIGXFSZ, SIG_IGN); // a file too large for the user's limit is an error like a full disk
+#endif
   try
   {
     return Run(argc, argv);

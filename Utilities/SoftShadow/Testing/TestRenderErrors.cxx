@@ -4,6 +4,7 @@
 
 #include "ToolRun.h"
 
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -123,6 +124,73 @@ TEST_F(RenderFailures, SayWhatToInstallWhereThereIsNoDisplay)
   EXPECT_NE(result.Output.find("apt-get install xvfb"), std::string::npos) << result.Output;
   EXPECT_EQ(this->Files(), std::set<std::string>{ "scene.json" });
 }
+
+#ifdef __linux__
+
+// A full disk, as far as a test can have one.
+TEST_F(RenderFailures, NameTheOutputThatIsFull)
+{
+  this->Write("scene.json", Scene);
+  this->Write("old.png", "old");
+  std::filesystem::create_symlink("/dev/full", this->Folder / "full.exr");
+  const std::set<std::string> before = this->Files();
+  for (const char* full : { "--visibility full.exr", "--report /dev/full" })
+  {
+    const ToolResult result = this->Run(std::string("render scene.json -o old.png ") + full);
+    EXPECT_EQ(result.ExitCode, 1) << result.Output;
+    EXPECT_NE(result.Output.find("/dev/full: cannot be written"), std::string::npos)
+      << result.Output;
+    EXPECT_EQ(this->Files(), before);
+    EXPECT_EQ(this->Read("old.png"), "old");
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full")) << "replaced";
+  }
+}
+
+TEST_F(RenderFailures, LeaveNothingWhenLimitedInSize)
+{
+  this->Write("scene.json", Scene);
+  const std::set<std::string> before = this->Files();
+  for (const char* output :
+    { "-o a.png", "-o a.exr", "-o a.jpg", "-o a.tif", "--visibility a.exr", "--report a.json" })
+  {
+    const ToolResult result =
+      this->Run(std::string("render scene.json ") + output, "prlimit --fsize=100");
+    EXPECT_EQ(result.ExitCode, 1) << output << ": " << result.Output;
+    EXPECT_NE(result.Output.find("softshadow: a."), std::string::npos) << result.Output;
+    EXPECT_NE(result.Output.find(": cannot be written"), std::string::npos) << result.Output;
+    EXPECT_EQ(this->Files(), before) << output;
+  }
+}
+
+TEST_F(RenderFailures, LeaveNothingWhenEndedByASignal)
+{
+  this->Write("scene.json", Scene);
+  this->Write("old.png", "old");
+  const std::set<std::string> before = this->Files();
+  const ToolResult result =
+    this->Run("render scene.json -o old.png --report r.json --width 600 --height 600 --converge "
+              "0.0001 --converge-frames 1000000 --option map_size=8192 --option split=8",
+      "timeout -s TERM 2");
+  EXPECT_NE(result.ExitCode, 0) << "it was through before the signal came";
+  EXPECT_EQ(this->Files(), before);
+  EXPECT_EQ(this->Read("old.png"), "old");
+}
+
+TEST_F(RenderFailures, AreNoneWhereAnOutputIsALinkOrAStream)
+{
+  this->Write("scene.json", Scene);
+  this->Write("target.json", "old");
+  std::filesystem::create_symlink("target.json", this->Folder / "link.json");
+  EXPECT_EQ(this->Run("render scene.json --report link.json").ExitCode, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(this->Folder / "link.json"));
+  EXPECT_EQ(this->Read("target.json").front(), '{');
+  const ToolResult result = this->Run("render scene.json --report /dev/stdout");
+  EXPECT_EQ(result.ExitCode, 0);
+  EXPECT_NE(result.Output.find("\"technique\""), std::string::npos) << result.Output;
+  EXPECT_TRUE(std::filesystem::exists("/dev/stdout"));
+}
+
+#endif
 
 TEST_F(RenderFailures, AreNoneWhereHelpIsAskedFor)
 {
