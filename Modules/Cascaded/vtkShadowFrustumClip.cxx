@@ -5,6 +5,7 @@
 #include "vtkMatrix4x4.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -12,47 +13,29 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 using Point = std::array<double, 3>;
+using Plane = std::array<double, 4>;
 
-// Clip coordinates, view depth and the place in the world.
-using Vertex = std::array<double, 8>;
+constexpr size_t MaximumVertices = 16; // four corners, and one more per plane of frustum and region
 
-double Depth(const std::array<double, 4>& worldToDepth, const Point& p)
+double Distance(const Plane& plane, const Point& p)
 {
-  return worldToDepth[0] * p[0] + worldToDepth[1] * p[1] + worldToDepth[2] * p[2] + worldToDepth[3];
+  return plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] + plane[3];
 }
 
-// How far a vertex is inside a plane of the frustum: -w <= x, y, z <= w.
-double Inside(const Vertex& vertex, int plane)
+// A convex polygon.
+struct Polygon
 {
-  return vertex[3] + (plane % 2 == 0 ? 1.0 : -1.0) * vertex[plane / 2];
-}
+  std::array<Point, MaximumVertices> Vertices;
+  size_t Count = 0;
 
-// The part of a convex polygon where inside(vertex) is not negative; inside must be linear.
-template <typename Function>
-std::vector<Vertex> Clip(const std::vector<Vertex>& polygon, Function inside)
-{
-  std::vector<Vertex> clipped;
-  for (size_t i = 0; i < polygon.size(); ++i)
+  void Add(const Point& p)
   {
-    const Vertex& a = polygon[i];
-    const Vertex& b = polygon[(i + 1) % polygon.size()];
-    const double insideA = inside(a);
-    const double insideB = inside(b);
-    if (insideA >= 0.0)
+    if (this->Count < MaximumVertices)
     {
-      clipped.push_back(a);
-    }
-    if ((insideA >= 0.0) != (insideB >= 0.0))
-    {
-      const double t = insideA / (insideA - insideB);
-      Vertex vertex;
-      std::transform(a.begin(), a.end(), b.begin(), vertex.begin(),
-        [t](double from, double to) { return from + t * (to - from); });
-      clipped.push_back(vertex);
+      this->Vertices[this->Count++] = p;
     }
   }
-  return clipped;
-}
+};
 
 void Extend(std::pair<double, double>& depths, double depth)
 {
@@ -60,14 +43,105 @@ void Extend(std::pair<double, double>& depths, double depth)
   depths.second = std::max(depths.second, depth);
 }
 
+void Extend(std::pair<double, double>& depths, const Polygon& polygon, const Plane& worldToDepth)
+{
+  for (size_t i = 0; i < polygon.Count; ++i)
+  {
+    Extend(depths, Distance(worldToDepth, polygon.Vertices[i]));
+  }
+}
+
+// Leaves the part of the polygon where the plane is not negative.
+void Clip(Polygon& polygon, const Plane& plane)
+{
+  std::array<double, MaximumVertices> inside;
+  size_t kept = 0;
+  for (size_t i = 0; i < polygon.Count; ++i)
+  {
+    inside[i] = Distance(plane, polygon.Vertices[i]);
+    kept += inside[i] >= 0.0 ? 1 : 0;
+  }
+  if (kept == polygon.Count)
+  {
+    return;
+  }
+  Polygon clipped;
+  for (size_t i = 0; kept > 0 && i < polygon.Count; ++i)
+  {
+    const size_t next = (i + 1) % polygon.Count;
+    const Point& a = polygon.Vertices[i];
+    const Point& b = polygon.Vertices[next];
+    if (inside[i] >= 0.0)
+    {
+      clipped.Add(a);
+    }
+    if ((inside[i] >= 0.0) != (inside[next] >= 0.0))
+    {
+      const double t = inside[i] / (inside[i] - inside[next]);
+      clipped.Add(
+        { { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) } });
+    }
+  }
+  polygon = clipped;
+}
+
+template <typename Planes>
+void ClipAll(Polygon& polygon, const Planes& planes)
+{
+  for (auto plane = planes.begin(); plane != planes.end() && polygon.Count > 0; ++plane)
+  {
+    Clip(polygon, *plane);
+  }
+}
+
+// Least and largest value of a linear function in a box.
+std::pair<double, double> FindRange(const Plane& plane, const std::array<double, 6>& bounds)
+{
+  const Point middle = { { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+    0.5 * (bounds[4] + bounds[5]) } };
+  double reach = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    reach += std::abs(plane[axis]) * 0.5 * (bounds[2 * axis + 1] - bounds[2 * axis]);
+  }
+  const double distance = Distance(plane, middle);
+  return { distance - reach, distance + reach };
+}
+
+// A side of a box.
+Polygon FaceOf(const std::array<double, 6>& bounds, int axis, int side)
+{
+  Polygon face;
+  const int around[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  for (const auto& corner : around)
+  {
+    Point p;
+    p[axis] = bounds[2 * axis + side];
+    p[u] = bounds[2 * u + corner[0]];
+    p[v] = bounds[2 * v + corner[1]];
+    face.Add(p);
+  }
+  return face;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
 vtkShadowFrustumClip::vtkShadowFrustumClip(
   const std::array<double, 16>& worldToClip, const std::array<double, 4>& worldToDepth)
-  : WorldToClip(worldToClip)
-  , WorldToDepth(worldToDepth)
+  : WorldToDepth(worldToDepth)
 {
+  // -w <= x, y, z <= w
+  for (size_t plane = 0; plane < this->Planes.size(); ++plane)
+  {
+    for (size_t i = 0; i < 4; ++i)
+    {
+      const double row = worldToClip[4 * (plane / 2) + i];
+      this->Planes[plane][i] = worldToClip[12 + i] + (plane % 2 == 0 ? row : -row);
+    }
+  }
   double clipToWorld[16];
   vtkMatrix4x4::Invert(worldToClip.data(), clipToWorld);
   const double corners[4][2] = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } };
@@ -82,7 +156,7 @@ vtkShadowFrustumClip::vtkShadowFrustumClip(
       {
         this->Edges[edge][end][axis] = world[axis] / world[3];
       }
-      this->EdgeDepths[edge][end] = Depth(worldToDepth, this->Edges[edge][end]);
+      this->EdgeDepths[edge][end] = Distance(worldToDepth, this->Edges[edge][end]);
     }
   }
 }
@@ -107,72 +181,81 @@ Point vtkShadowFrustumClip::CornerAt(int edge, double depth) const
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowFrustumClip::AddPolygon(const std::array<Point, 4>& corners, const Region& region,
-  std::pair<double, double>& depths) const
-{
-  std::vector<Vertex> polygon;
-  for (const Point& corner : corners)
-  {
-    const double point[4] = { corner[0], corner[1], corner[2], 1.0 };
-    Vertex vertex;
-    vtkMatrix4x4::MultiplyPoint(this->WorldToClip.data(), point, vertex.data());
-    vertex[4] = Depth(this->WorldToDepth, corner);
-    std::copy(corner.begin(), corner.end(), vertex.begin() + 5);
-    polygon.push_back(vertex);
-  }
-  for (int plane = 0; plane < 6; ++plane)
-  {
-    polygon = Clip(polygon, [plane](const Vertex& vertex) { return Inside(vertex, plane); });
-  }
-  for (const std::array<double, 4>& plane : region)
-  {
-    polygon = Clip(polygon,
-      [&plane](const Vertex& vertex) {
-        return Depth(plane, { { vertex[5], vertex[6], vertex[7] } });
-      });
-  }
-  for (const Vertex& vertex : polygon)
-  {
-    Extend(depths, vertex[4]);
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkShadowFrustumClip::FindDepths(
   const vtkShadowCasters::Body& body, std::pair<double, double>& depths) const
 {
   depths = { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+  // What most bodies need: those aside are out, and those that no plane cuts are in.
+  std::array<Plane, 6> cutting;
+  size_t count = 0;
+  for (const Plane& plane : this->Planes)
+  {
+    const std::pair<double, double> range = FindRange(plane, body.Bounds);
+    if (range.second < 0.0)
+    {
+      return false;
+    }
+    if (range.first < 0.0)
+    {
+      cutting[count++] = plane;
+    }
+  }
+  const std::vector<Plane> planes(cutting.begin(), cutting.begin() + count);
   if (body.Flat)
   {
-    for (const Region& region : this->Regions)
-    {
-      this->AddPolygon(body.Corners, region, depths);
-    }
-    if (this->Regions.empty())
-    {
-      this->AddPolygon(body.Corners, Region(), depths);
-    }
-    return depths.first <= depths.second;
+    this->FindFlatDepths(body, planes, depths);
   }
-  // The extreme points of the box within the frustum lie on its faces, or are the frustum's own.
-  const std::array<double, 6>& bounds = body.Bounds;
-  for (int axis = 0; axis < 3; ++axis)
+  else if (planes.empty())
   {
-    for (int side = 0; side < 2; ++side)
-    {
-      std::array<Point, 4> face;
-      const int around[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
-      for (int i = 0; i < 4; ++i)
-      {
-        const int u = (axis + 1) % 3;
-        const int v = (axis + 2) % 3;
-        face[i][axis] = bounds[2 * axis + side];
-        face[i][u] = bounds[2 * u + around[i][0]];
-        face[i][v] = bounds[2 * v + around[i][1]];
-      }
-      this->AddPolygon(face, Region(), depths);
-    }
+    depths = FindRange(this->WorldToDepth, body.Bounds);
   }
+  else
+  {
+    this->FindBoxDepths(body, planes, depths);
+  }
+  return depths.first <= depths.second;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowFrustumClip::FindFlatDepths(
+  const vtkShadowCasters::Body& body, const Region& planes, std::pair<double, double>& depths) const
+{
+  Polygon seen;
+  std::for_each(
+    body.Corners.begin(), body.Corners.end(), [&seen](const Point& corner) { seen.Add(corner); });
+  ClipAll(seen, planes);
+  std::pair<double, double> all = depths;
+  Extend(all, seen, this->WorldToDepth);
+  if (this->Regions.empty())
+  {
+    depths = all;
+    return;
+  }
+  for (const Region& region : this->Regions)
+  {
+    // Further regions can add nothing.
+    if (depths.first <= all.first && depths.second >= all.second)
+    {
+      return;
+    }
+    Polygon shadowed = seen;
+    ClipAll(shadowed, region);
+    Extend(depths, shadowed, this->WorldToDepth);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The extreme points of the box within the frustum lie on its faces, or are the frustum's own.
+void vtkShadowFrustumClip::FindBoxDepths(
+  const vtkShadowCasters::Body& body, const Region& planes, std::pair<double, double>& depths) const
+{
+  for (int face = 0; face < 6; ++face)
+  {
+    Polygon polygon = FaceOf(body.Bounds, face / 2, face % 2);
+    ClipAll(polygon, planes);
+    Extend(depths, polygon, this->WorldToDepth);
+  }
+  const std::array<double, 6>& bounds = body.Bounds;
   for (int edge = 0; edge < 4; ++edge)
   {
     for (int end = 0; end < 2; ++end)
@@ -185,6 +268,5 @@ bool vtkShadowFrustumClip::FindDepths(
       }
     }
   }
-  return depths.first <= depths.second;
 }
 VTK_ABI_NAMESPACE_END

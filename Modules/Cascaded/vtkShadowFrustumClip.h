@@ -24,13 +24,16 @@ public:
   vtkShadowFrustumClip(
     const std::array<double, 16>& worldToClip, const std::array<double, 4>& worldToDepth);
 
-  /// A convex part of the world: where no plane . (x, y, z, 1) is negative.
+  /// A convex part of the world: where none of at most six planes . (x, y, z, 1) is negative.
   using Region = std::vector<std::array<double, 4>>;
 
   /// Restricts flat bodies to the union of these regions; other bodies count as a whole.
   void SetRegions(const std::vector<Region>& regions) { this->Regions = regions; }
 
-  /// False if no part of the body is in the frustum, and, if it is flat, in one of the regions.
+  /**
+   * False if no part of the body is in the frustum, and, if it is flat, in one of the regions. Bodies
+   * aside or inside cost a few products; only those that a plane cuts are clipped.
+   */
   bool FindDepths(const vtkShadowCasters::Body& body, std::pair<double, double>& depths) const;
 
   /// Depths of the near and the far plane.
@@ -40,10 +43,13 @@ public:
   std::array<double, 3> CornerAt(int edge, double depth) const;
 
 private:
-  void AddPolygon(const std::array<std::array<double, 3>, 4>& corners, const Region& region,
+  /// planes: those of the frustum that cut the body's box.
+  void FindFlatDepths(const vtkShadowCasters::Body& body, const Region& planes,
+    std::pair<double, double>& depths) const;
+  void FindBoxDepths(const vtkShadowCasters::Body& body, const Region& planes,
     std::pair<double, double>& depths) const;
 
-  std::array<double, 16> WorldToClip;
+  std::array<std::array<double, 4>, 6> Planes; // of the frustum: inside, none is negative
   std::array<double, 4> WorldToDepth;
   /// Ends of the frustum's edges on the near and on the far plane, and their depths.
   std::array<std::array<std::array<double, 3>, 2>, 4> Edges;
