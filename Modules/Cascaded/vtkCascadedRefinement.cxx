@@ -15,6 +15,18 @@
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+// In pixels. A blocker between the points changes nothing where it stands; it does a little farther on.
+constexpr int NeighbourDistance = 4;
+
+// The first level on which a pixel can settle: the light's corners alone miss what stands in its middle.
+constexpr int FirstLevel = 1;
+
+// The first level whose change is trusted: between 4 and 9 points it says too little of the error.
+constexpr int ChangeLevel = 2;
+} // namespace
+
 //------------------------------------------------------------------------------
 int vtkCascadedSoftShadowPass::Refinement::Plan::GetLastLevel(int largest) const
 {
@@ -22,7 +34,8 @@ int vtkCascadedSoftShadowPass::Refinement::Plan::GetLastLevel(int largest) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkCascadedSoftShadowPass::Refinement::Plan::Collect(vtkTypeInt64 fewPixels, int largest)
+bool vtkCascadedSoftShadowPass::Refinement::Plan::Collect(
+  vtkShadowQueryReader& reader, vtkTypeInt64 fewPixels, int largest)
 {
   if (this->Pending == 0)
   {
@@ -30,9 +43,7 @@ bool vtkCascadedSoftShadowPass::Refinement::Plan::Collect(vtkTypeInt64 fewPixels
   }
   for (int i = 0; i < this->Pending; ++i)
   {
-    GLuint available = 0;
-    glGetQueryObjectuiv(this->Queries[i], GL_QUERY_RESULT_AVAILABLE, &available);
-    if (!available)
+    if (!reader.IsAvailable(this->Queries[i]))
     {
       return false;
     }
@@ -41,9 +52,7 @@ bool vtkCascadedSoftShadowPass::Refinement::Plan::Collect(vtkTypeInt64 fewPixels
   int needed = 0;
   for (int i = 0; i < this->Pending; ++i)
   {
-    GLuint pixels = 0;
-    glGetQueryObjectuiv(this->Queries[i], GL_QUERY_RESULT, &pixels);
-    this->Counts[i] = pixels;
+    this->Counts[i] = reader.GetResult(this->Queries[i]);
     needed = i > 0 && this->Counts[i] > fewPixels ? i : needed;
   }
   const int drawn = this->Pending - 2;
@@ -80,7 +89,7 @@ bool vtkCascadedSoftShadowPass::Refinement::Prepare(const vtkSoftShadowContext& 
   {
     glGenFramebuffers(1, &this->Framebuffer);
   }
-  return this->Added->Allocate(context.Window, vtkShadowTextureArray::R32F, width, height, 1) &&
+  return this->Added->Allocate(context.Window, vtkShadowTextureArray::RG32F, width, height, 1) &&
     this->States[0]->Allocate(context.Window, vtkShadowTextureArray::RG32F, width, height, 1) &&
     this->States[1]->Allocate(context.Window, vtkShadowTextureArray::RG32F, width, height, 1);
 }
@@ -175,7 +184,7 @@ bool vtkCascadedSoftShadowPass::Refinement::AddLevel(vtkCascadedSoftShadowPass* 
     self->SetReceiverUniforms(program, context);
     vtkSoftShadowPass::SetSampleUniforms(program, context, points.Samples.Views.data() + run.First,
       points.Samples.Weights.data() + run.First, run.Last - run.First, run.Layer,
-      maps.GetMapSize(points.Resolution), points.FilterSize);
+      maps.GetMapSize(points.Resolution), self->GetFilter() == FIXED ? points.FilterSize : 1);
     vtkShadowTextureArray* texture = maps.GetMaps(points.Resolution)->GetTexture();
     program->SetUniformi("depthMaps", texture->Activate(context.Window));
     program->SetUniformi("state", before->Activate(context.Window));
@@ -214,6 +223,9 @@ bool vtkCascadedSoftShadowPass::Refinement::Settle(
   program->SetUniformf("keep", static_cast<float>(keep));
   program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
   program->SetUniformf("tolerance", static_cast<float>(tolerance));
+  program->SetUniformi("reach", NeighbourDistance);
+  program->SetUniformi("firstLevel", FirstLevel);
+  program->SetUniformi("changeLevel", ChangeLevel);
   program->SetUniformi("state", before->Activate(context.Window));
   program->SetUniformi("added", this->Added->Activate(context.Window));
   this->SettleShader.Draw();

@@ -20,6 +20,7 @@
 #include "vtkNew.h" // For members
 #include "vtkShadowBorderGrid.h"
 #include "vtkShadowCascades.h"
+#include "vtkShadowQueryReader.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
@@ -47,7 +48,7 @@ public:
 
     int GetLastLevel(int largest) const;
     /// Reads the queries if all of them are there. Returns true if it takes more levels than drawn.
-    bool Collect(vtkTypeInt64 fewPixels, int largest);
+    bool Collect(vtkShadowQueryReader& reader, vtkTypeInt64 fewPixels, int largest);
     void ReleaseGraphicsResources();
   };
 

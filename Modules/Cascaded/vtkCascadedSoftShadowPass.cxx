@@ -9,6 +9,8 @@
 #include "vtkRenderer.h"
 #include "vtkShadowCasters.h"
 
+#include <algorithm>
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkCascadedSoftShadowPass);
 
@@ -47,6 +49,8 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
     emitter.Fits.clear();
   }
   impl.FindCascades(this, context, emitter);
+  emitter.Cascades = impl.Cascades;
+  emitter.Frame = impl.Frame = this->ChangeStatistics().VisibilityFrames;
   emitter.Maps.Begin(this->MapSize);
   std::vector<std::vector<size_t>> sets; // per cascade
   for (size_t i = 0; i < impl.Cascades.size(); ++i)
@@ -70,17 +74,42 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
 void vtkCascadedSoftShadowPass::Render(const vtkRenderState* s)
 {
   this->Superclass::Render(s);
+  if (this->Adaptive)
+  {
+    this->ChangeStatistics().TechniqueCounts = { { "pixel_samples",
+      this->GetNumberOfPixelSamples() } };
+  }
   if (this->Tint && this->Impl->Receivers && !s->GetRenderer()->GetSelector())
   {
     auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
-    this->Impl->Tint.Draw(window, this->Impl->Receivers, this->Impl->Cascades);
+    this->Impl->Tint.Draw(window, this->Impl->Receivers, this->Impl->GetCascades(this->TintLight));
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<vtkShadowCascades::Cascade>>
+vtkCascadedSoftShadowPass::Internals::GetCascades(int light) const
+{
+  std::vector<std::vector<vtkShadowCascades::Cascade>> cascades;
+  for (const auto& emitter : this->Emitters)
+  {
+    if (emitter.second.Frame == this->Frame && (light < 0 || emitter.first.first == light))
+    {
+      cascades.push_back(emitter.second.Cascades);
+    }
+  }
+  return cascades;
 }
 
 //------------------------------------------------------------------------------
 int vtkCascadedSoftShadowPass::GetNumberOfOccupiedCascades() const
 {
-  return static_cast<int>(this->Impl->Cascades.size());
+  size_t largest = 0;
+  for (const auto& cascades : this->Impl->GetCascades(-1))
+  {
+    largest = std::max(largest, cascades.size());
+  }
+  return static_cast<int>(largest);
 }
 
 //------------------------------------------------------------------------------
@@ -128,7 +157,6 @@ void vtkCascadedSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Impl->Refiner.ReleaseGraphicsResources(window);
   this->Impl->Emitters.clear();
-  this->Impl->Cascades.clear();
   this->Impl->Receivers = nullptr;
 }
 VTK_ABI_NAMESPACE_END

@@ -34,12 +34,14 @@
 #include "vtkShadowLightSampling.h"                // For patterns
 #include "vtkSoftShadowPass.h"
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkWrappingHints.h"  // For VTK_WRAPEXCLUDE
 
 #include <array>  // For settings
 #include <memory> // For the implementation
 #include <vector> // For sets
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkShadowQueryReader;
 
 class VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkCascadedSoftShadowPass : public vtkSoftShadowPass
 {
@@ -127,8 +129,8 @@ public:
    * How wide the percentage-closer filter is, a FilterType. CELL makes the steps between the points
    * vanish where a cell's penumbra is no wider than FilterSize texels, keeps contacts sharp and lets
    * facets throw no lines on their neighbours. WIDE has no limit and so the least banding, but misses
-   * blockers smaller than its taps' distance. FIXED blurs all alike. Adaptive sampling ignores it and
-   * is FIXED. Default is CELL.
+   * blockers smaller than its taps' distance. FIXED blurs all alike, as in the paper. With Adaptive,
+   * CELL and WIDE are no filter: enough points need none. Default is CELL.
    */
   vtkSetClampMacro(Filter, int, CELL, WIDE);
   vtkGetMacro(Filter, int);
@@ -153,9 +155,9 @@ public:
   ///@{
   /**
    * Samples the light as finely as each pixel needs: from the light's four corners on to grids of
-   * 9, 25 and 81 points, border included, while the visibility changes by more than Tolerance. The
-   * settings of points (edges, pattern) are ignored. Features that all points of a grid miss are
-   * missed. Default is off.
+   * 9, 25 and 81 points, border included, while the visibility of a pixel, or of one of its
+   * neighbours, changes by more than Tolerance. The settings of points (edges, pattern) are ignored.
+   * What 9 points miss in a pixel and around it is missed. Default is off.
    */
   vtkSetMacro(Adaptive, bool);
   vtkGetMacro(Adaptive, bool);
@@ -202,15 +204,28 @@ public:
 
   ///@{
   /**
-   * Tints the picture by cascade, for debugging: red, green, blue, yellow, near to far. With
-   * several emitters (lights, parts, faces) by the cascades of the last. Default is off.
+   * Tints the picture by cascade, for debugging: red, green, blue, yellow, near to far. Lights, their
+   * parts and faces have cascades of their own; where they differ the tint is the mean. Default is
+   * off.
    */
   vtkSetMacro(Tint, bool);
   vtkGetMacro(Tint, bool);
   vtkBooleanMacro(Tint, bool);
   ///@}
 
-  /// Cascades that had receivers of the emitter whose visibility was drawn last.
+  ///@{
+  /**
+   * The light by whose cascades Tint tints, counted over the lit lights in the renderer's order from
+   * 0; -1: all of them. A light that casts nothing tints nothing. Default is -1.
+   */
+  vtkSetClampMacro(TintLight, int, -1, VTK_INT_MAX);
+  vtkGetMacro(TintLight, int);
+  ///@}
+
+  /**
+   * Cascades that took part in the last visibility that was drawn: the largest number over all
+   * emitters (lights, parts, faces). 0 before the first frame and where nothing casts.
+   */
   int GetNumberOfOccupiedCascades() const;
 
   /**
@@ -218,6 +233,12 @@ public:
    * come back.
    */
   vtkTypeInt64 GetNumberOfPixelSamples();
+
+  /**
+   * What asks for the occlusion queries of Adaptive, so that a test can see that nobody waits for
+   * them. Null: OpenGL itself, the default.
+   */
+  VTK_WRAPEXCLUDE void SetQueryReader(std::shared_ptr<vtkShadowQueryReader> reader);
 
 protected:
   vtkCascadedSoftShadowPass();
@@ -247,6 +268,7 @@ protected:
   int Weights = vtkShadowLightSampling::MEAN;
   bool Gather = true;
   bool Tint = false;
+  int TintLight = -1;
   bool Adaptive = false;
   double Tolerance = 0.125;
   int MaximumLevel = 3;

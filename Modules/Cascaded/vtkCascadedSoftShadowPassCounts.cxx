@@ -3,6 +3,8 @@
 // What the occlusion queries of adaptive sampling say.
 #include "vtkCascadedSoftShadowPassInternals.h"
 
+#include <utility>
+
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
@@ -20,6 +22,12 @@ vtkTypeInt64 vtkCascadedSoftShadowPass::GetFewPixels() const
 }
 
 //------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::SetQueryReader(std::shared_ptr<vtkShadowQueryReader> reader)
+{
+  this->Impl->Reader = reader ? std::move(reader) : std::make_shared<vtkShadowQueryReader>();
+}
+
+//------------------------------------------------------------------------------
 bool vtkCascadedSoftShadowPass::WantsVisibilityAnew()
 {
   if (!this->Adaptive)
@@ -31,7 +39,7 @@ bool vtkCascadedSoftShadowPass::WantsVisibilityAnew()
   {
     for (Refinement::Plan& plan : emitter.second.Plans)
     {
-      anew = plan.Collect(this->GetFewPixels(), this->MaximumLevel) || anew;
+      anew = plan.Collect(*this->Impl->Reader, this->GetFewPixels(), this->MaximumLevel) || anew;
     }
   }
   return anew;
@@ -45,7 +53,7 @@ vtkTypeInt64 vtkCascadedSoftShadowPass::GetNumberOfPixelSamples()
   {
     for (Refinement::Plan& plan : emitter.second.Plans)
     {
-      plan.Collect(this->GetFewPixels(), this->MaximumLevel);
+      plan.Collect(*this->Impl->Reader, this->GetFewPixels(), this->MaximumLevel);
       vtkTypeInt64 before = 0;
       for (int level = 0; level <= vtkShadowBorderGrid::LargestLevel; ++level)
       {

@@ -20,6 +20,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -39,14 +40,22 @@ public:
     std::map<int, vtkSoftShadowSamples> Fits;
     vtkCascadedSoftShadowMaps Maps;
     std::array<Refinement::Plan, MaximumNumberOfCascades> Plans;
+    /// As of the frame below, for the tint and the counts.
+    std::vector<vtkShadowCascades::Cascade> Cascades;
+    vtkTypeInt64 Frame = -1;
   };
 
   std::map<std::pair<int, int>, EmitterMaps> Emitters; // by light and part
-  std::vector<vtkShadowCascades::Cascade> Cascades;
+  std::vector<vtkShadowCascades::Cascade> Cascades;    // of the emitter that is drawn
+  vtkTypeInt64 Frame = -1;                             // the last one that drew visibility
+  std::shared_ptr<vtkShadowQueryReader> Reader = std::make_shared<vtkShadowQueryReader>();
   vtkShadowShader Shader{ vtkCascadedSoftShadowFS };
   vtkCascadedTint Tint;
   Refinement Refiner;
   vtkShadowReceivers* Receivers = nullptr; // the base class's
+
+  /// The cascades of every emitter of the last frame that drew visibility, of one light or (-1) of all.
+  std::vector<std::vector<vtkShadowCascades::Cascade>> GetCascades(int light) const;
 
   /// The cascades of an emitter, in which one of its points may see a shadow.
   void FindCascades(

@@ -7,15 +7,16 @@
 #include "vtkShadowCasters.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
-#include <set>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Cuts the fits to a cascade: points that see no caster in front of it need no map.
 vtkSoftShadowSamples Cut(const vtkSoftShadowSamples& fits,
-  const vtkShadowCascades::Cascade& cascade, int mapSize, int filterSize, bool fitToView)
+  const vtkShadowCascades::Cascade& cascade, int mapSize, int filterSize,
+  const std::array<double, 2>& cell, bool fitToView)
 {
   vtkSoftShadowSamples samples;
   samples.LitWeight = fits.LitWeight;
@@ -29,7 +30,7 @@ vtkSoftShadowSamples Cut(const vtkSoftShadowSamples& fits,
     vtkShadowMapView view = fits.Views[i];
     if (!fitToView ||
       vtkShadowCascadeWindow::Cut(
-        cascade.Center, cascade.Radius, mapSize, filterSize / 2 + 1, view))
+        cascade.Center, cascade.Radius, mapSize, filterSize / 2 + 1, cell, view))
     {
       samples.Views.push_back(view);
       samples.Weights.push_back(fits.Weights[i]);
@@ -76,21 +77,42 @@ void vtkCascadedSoftShadowPass::Internals::FindCascades(
   vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, EmitterMaps& emitter)
 {
   vtkShadowCascades::View view = vtkShadowCascades::View::Of(context.Renderer);
-  const auto add = [&view](const vtkSoftShadowSamples& fits)
-  { view.Points.insert(view.Points.end(), fits.Views.begin(), fits.Views.end()); };
+  // A cell is looked at as a whole, however few points see it.
+  const auto add = [&](const vtkSoftShadowSamples& fits, double cellEdge, int filterSize)
+  {
+    for (const vtkShadowMapView& fit : fits.Views)
+    {
+      vtkShadowCascades::LightPoint point;
+      point.Map = fit;
+      point.Border = (filterSize / 2 + 1.0) / self->MapSize;
+      vtkShadowMapView cell = fit;
+      cell.Emitter.HalfSize = { { cellEdge * context.Emitter.HalfSize[0],
+        cellEdge * context.Emitter.HalfSize[1] } };
+      point.CellScale = cell.GetKernelScale();
+      view.Points.push_back(point);
+    }
+  };
   if (self->Adaptive)
   {
     for (int level = 0; level <= self->MaximumLevel; ++level)
     {
-      add(this->FitLevel(self, context, emitter, level));
+      add(this->FitLevel(self, context, emitter, level), 0.0, 1);
     }
   }
   else
   {
-    const auto last = self->SampleEdges.begin() + self->NumberOfCascades;
-    const std::set<int> edges(self->SampleEdges.begin(), last);
-    std::for_each(edges.begin(), edges.end(),
-      [&](int edge) { add(this->FitGrid(self, context, emitter, edge)); });
+    std::map<int, int> filters; // the widest, by edge
+    for (int i = 0; i < self->NumberOfCascades; ++i)
+    {
+      int& filter = filters[self->SampleEdges[i]];
+      // The coarsest maps' texels, in those of the finest.
+      filter = std::max(filter, self->FilterSizes[i] << self->Resolutions[i]);
+    }
+    for (const auto& filter : filters)
+    {
+      const double cellEdge = self->Filter == FIXED ? 0.0 : 1.0 / filter.first;
+      add(this->FitGrid(self, context, emitter, filter.first), cellEdge, filter.second);
+    }
   }
   this->Cascades = vtkShadowCascades::Find(
     context.Casters->GetBodies(), view, self->NumberOfCascades, self->SplitLambda, self->BlendBand);
@@ -104,10 +126,15 @@ std::vector<size_t> vtkCascadedSoftShadowPass::AddSets(
   Internals::EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
   const int resolution = this->Resolutions[cascade];
   const int filterSize = this->FilterSizes[cascade];
+  // The other filters reach no farther than their texels.
+  const bool wide = this->Filter == WIDE && !this->Adaptive;
+  const double share = wide ? 1.0 / this->SampleEdges[cascade] : 0.0;
+  const std::array<double, 2> cell = { { share * context.Emitter.HalfSize[0],
+    share * context.Emitter.HalfSize[1] } };
   const auto add = [&](const vtkSoftShadowSamples& fits)
   {
     return emitter.Maps.Add(resolution, filterSize,
-      Cut(fits, impl.Cascades[cascade], emitter.Maps.GetMapSize(resolution), filterSize,
+      Cut(fits, impl.Cascades[cascade], emitter.Maps.GetMapSize(resolution), filterSize, cell,
         this->FitToView));
   };
   if (!this->Adaptive)
@@ -116,7 +143,7 @@ std::vector<size_t> vtkCascadedSoftShadowPass::AddSets(
   }
   const int largest = context.Emitter.HasExtent() ? this->MaximumLevel : 0;
   Refinement::Plan& plan = emitter.Plans[cascade];
-  plan.Collect(this->GetFewPixels(), largest);
+  plan.Collect(*impl.Reader, this->GetFewPixels(), largest);
   std::vector<size_t> sets;
   for (int level = 0; level <= plan.GetLastLevel(largest); ++level)
   {

@@ -97,5 +97,6 @@ void vtkCascadedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "Gather: " << (this->Gather ? "on" : "off") << "\n";
   os << indent << "Tint: " << (this->Tint ? "on" : "off") << "\n";
+  os << indent << "TintLight: " << this->TintLight << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -10,10 +10,13 @@
 
 #include "vtkCascadedTintFS.h"
 
+#include <algorithm>
+
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr int MaximumCount = 4; // of cascades, as in the shader
+constexpr int MaximumCount = 4;     // of cascades, as in the shader
+constexpr int MaximumEmitters = 32; // as in the shader; further ones tint nothing
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -24,9 +27,9 @@ vtkCascadedTint::vtkCascadedTint()
 
 //------------------------------------------------------------------------------
 void vtkCascadedTint::Draw(vtkOpenGLRenderWindow* window, vtkShadowReceivers* receivers,
-  const std::vector<vtkShadowCascades::Cascade>& cascades)
+  const std::vector<std::vector<vtkShadowCascades::Cascade>>& emitters)
 {
-  if (!this->Shader.Use(window))
+  if (emitters.empty() || !this->Shader.Use(window))
   {
     return;
   }
@@ -40,17 +43,27 @@ void vtkCascadedTint::Draw(vtkOpenGLRenderWindow* window, vtkShadowReceivers* re
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ZERO, GL_SRC_COLOR);
   vtkShaderProgram* program = this->Shader.GetProgram();
-  float fades[2][MaximumCount][2] = {};
-  for (size_t i = 0; i < cascades.size(); ++i)
+  std::vector<float> fades;
+  std::vector<int> counts;
+  for (size_t e = 0; e < std::min<size_t>(emitters.size(), MaximumEmitters); ++e)
   {
-    fades[0][i][0] = static_cast<float>(cascades[i].FadeIn.first);
-    fades[0][i][1] = static_cast<float>(cascades[i].FadeIn.second);
-    fades[1][i][0] = static_cast<float>(cascades[i].FadeOut.first);
-    fades[1][i][1] = static_cast<float>(cascades[i].FadeOut.second);
+    counts.push_back(static_cast<int>(emitters[e].size()));
+    for (int i = 0; i < MaximumCount; ++i)
+    {
+      const vtkShadowCascades::Cascade cascade =
+        i < counts.back() ? emitters[e][i] : vtkShadowCascades::Cascade();
+      for (const double depth : { cascade.FadeIn.first, cascade.FadeIn.second,
+             cascade.FadeOut.first, cascade.FadeOut.second })
+      {
+        fades.push_back(static_cast<float>(depth));
+      }
+    }
   }
-  program->SetUniform2fv("fadeIns", MaximumCount, fades[0]);
-  program->SetUniform2fv("fadeOuts", MaximumCount, fades[1]);
-  program->SetUniformi("cascadeCount", static_cast<int>(cascades.size()));
+  const auto count = static_cast<int>(counts.size());
+  program->SetUniform4fv(
+    "fades", MaximumCount * count, reinterpret_cast<const float(*)[4]>(fades.data()));
+  program->SetUniform1iv("cascadeCounts", count, counts.data());
+  program->SetUniformi("emitterCount", count);
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const float origin[2] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]) };

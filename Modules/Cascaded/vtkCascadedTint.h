@@ -24,9 +24,12 @@ class vtkCascadedTint
 public:
   vtkCascadedTint();
 
-  /// Multiplies what is bound by red, green, blue and yellow, near to far, where there are receivers.
+  /**
+   * Multiplies what is bound by red, green, blue and yellow, near to far, where there are receivers:
+   * the mean over the cascades of every emitter. Emitters after the first 32 do not count.
+   */
   void Draw(vtkOpenGLRenderWindow* window, vtkShadowReceivers* receivers,
-    const std::vector<vtkShadowCascades::Cascade>& cascades);
+    const std::vector<std::vector<vtkShadowCascades::Cascade>>& emitters);
 
   int GetNumberOfBuilds() const { return this->Shader.GetNumberOfBuilds(); }
   void ReleaseGraphicsResources(vtkWindow* window)

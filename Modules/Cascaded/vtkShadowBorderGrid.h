@@ -34,7 +34,7 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowBorderGrid
 
   /**
    * level is in [0, LargestLevel]: 4, 9, 25, 81 points. Weights are vtkShadowLightSampling's. An
-   * emitter without extent has one point, on level 0. Disks are filled by the equal-area map.
+   * emitter without extent has one point, on level 0. Disks are filled by the equal-area map, turned by pi / 8.
    */
   static vtkShadowBorderGrid Make(const vtkShadowEmitter& emitter, int level, int weights);
 };

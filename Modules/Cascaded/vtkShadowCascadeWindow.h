@@ -5,7 +5,7 @@
  * @brief   The part of a light sample's depth map that a cascade's receivers look at.
  *
  * A sample's map is looked at where the receiver itself is seen from the sample, so the window need
- * hold no more than the receivers' own projection and the percentage-closer filter: it is the fit
+ * hold no more than the receivers' own projection and what a filter reaches beyond: it is the fit
  * over all effective casters, cut to the projection of the sphere around the cascade. The light's
  * penumbra lies between the samples, each of which has a window of its own. Depths stay those of the
  * fit, so every caster between the receivers and the light is in the map.
@@ -30,11 +30,12 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascadeWindow
 {
   /**
    * Cuts view, a fit over the effective casters, to a sphere in world coordinates. resolution: the
-   * map's texels along an edge; border: texels that must remain around the sphere. False if no
-   * caster can be seen in front of the sphere: all receivers in it are lit.
+   * map's texels along an edge; border: texels that must remain around the sphere. cell: half extents
+   * of the part of the light over whose image a filter reaches, as vtkShadowEmitter's HalfSize; 0 if
+   * none does. False if no caster can be seen in front of the sphere: all receivers in it are lit.
    */
   static bool Cut(const std::array<double, 3>& center, double radius, int resolution, int border,
-    vtkShadowMapView& view);
+    const std::array<double, 2>& cell, vtkShadowMapView& view);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -86,23 +86,25 @@ void FitSphere(const vtkShadowFrustumClip& frustum, Cascade& cascade)
   }
 }
 
-// What a point's map shows in or behind its casters: 0 <= s, t <= w and 0 <= d.
-vtkShadowFrustumClip::Region FindRegion(const vtkShadowMapView& view)
+// Where a point's cell may be hidden: behind the nearest caster, 0 <= d, and as far beside what the map
+// shows as a cell's image or a filter reaches there, -c d - h <= s, t <= 1 + c d + h.
+vtkShadowFrustumClip::Region FindRegion(const vtkShadowCascades::LightPoint& point)
 {
-  const std::array<double, 16> m = view.WorldToMap();
+  const std::array<double, 16> m = point.Map.WorldToMap();
   vtkShadowFrustumClip::Region region;
-  for (int row = 0; row < 3; ++row)
-  {
-    region.push_back({ { m[4 * row], m[4 * row + 1], m[4 * row + 2], m[4 * row + 3] } });
-  }
+  region.push_back({ { m[8], m[9], m[10], m[11] } });
   for (int row = 0; row < 2; ++row)
   {
-    std::array<double, 4> plane;
+    std::array<double, 4> low;
+    std::array<double, 4> high;
     for (int i = 0; i < 4; ++i)
     {
-      plane[i] = m[12 + i] - m[4 * row + i];
+      const double beside = point.CellScale[row] * m[8 + i] + point.Border * m[12 + i];
+      low[i] = m[4 * row + i] + beside;
+      high[i] = m[12 + i] - m[4 * row + i] + beside;
     }
-    region.push_back(plane);
+    region.push_back(low);
+    region.push_back(high);
   }
   return region;
 }

@@ -49,15 +49,25 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascades
     bool Occupied = true;
   };
 
+  /// A point of the light, and what of the light it stands for.
+  struct LightPoint
+  {
+    vtkShadowMapView Map;
+    /// Half the image of its cell, in (s, t) per unit of depth between blocker and receiver.
+    std::array<double, 2> CellScale = { { 0.0, 0.0 } };
+    /// How far a filter reaches beyond that, in (s, t).
+    double Border = 0.0;
+  };
+
   /// What a camera sees: world to clip coordinates and world to view depth, row-major.
   struct View
   {
     std::array<double, 16> WorldToClip;
     std::array<double, 4> WorldToDepth;
     bool Parallel = false;
-    /// Views of the points whose maps count: a flat receiver matters where one of them sees it behind
-    /// a caster. Empty: everywhere.
-    std::vector<vtkShadowMapView> Points;
+    /// The points whose maps count: a flat receiver matters where a caster may hide a part of one's
+    /// cell. Empty: everywhere.
+    std::vector<LightPoint> Points;
 
     static View Of(vtkRenderer* renderer);
   };

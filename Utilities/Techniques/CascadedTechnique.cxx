@@ -87,6 +87,8 @@ Technique MakeCascadedTechnique()
     pass, FitToView, "fit_to_view", "cut the maps to what each cascade sees"));
   technique.Options.push_back(
     SOFTSHADOWS_FLAG_OPTION(pass, Tint, "tint", "tint the picture by cascade"));
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(pass, TintLight, "tint_light",
+    "light by whose cascades the picture is tinted; -1 for the mean of all"));
   technique.Draft = { { "edge_0", "2" }, { "edge_1", "2" }, { "edge_2", "1" } };
   technique.Best = { { "edge_0", "9" }, { "edge_1", "9" }, { "edge_2", "9" }, { "filter_0", "3" },
     { "map_size", "2048" } };

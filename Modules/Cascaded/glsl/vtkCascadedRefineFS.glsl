@@ -34,5 +34,5 @@ void main()
   {
     discard;
   }
-  gl_FragData[0] = vec4(litWeight + sampledVisibility(receiver));
+  gl_FragData[0] = vec4(litWeight + sampledVisibility(receiver), 1.0, 0.0, 0.0);
 }

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pass on scenes: right values, nothing baked in vain, still shadows, no seams.
 #include "CascadedStage.h"
-
-#include "vtkAdaptiveSampledSoftShadowPass.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -253,99 +250,40 @@ TEST(CascadedPass, SnappedMapsBakeSeldom)
   EXPECT_LT(stage.Pass->GetStatistics().MapsBaked - before, 3 * 29);
 }
 
-namespace
+// The right half of a penumbra under a sheet's edge, with nothing else in view: the points see no blocker,
+// and the depths that count are not where they see the light hidden. Shadow of the edge at x = 0,
+// z = 1 in the light of a square of 1 at z = 3: penumbra from -1/4 to 1/4.
+TEST(CascadedPass, TheOuterHalfOfAPenumbraIsNotLit)
 {
-double ErrorOf(const Scene& scene, const Picture& visibility)
-{
-  std::vector<double> errors;
-  for (const PlanePixel& pixel : GetPlanePixels(scene, Width, Height))
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  AddQuad(renderer, { { -4, -4, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } });
+  AddQuad(renderer, { { -4, -4, 1 } }, { { 4, 0, 0 } }, { { 0, 8, 0 } });
+  vtkNew<vtkAreaLight> lamp;
+  lamp->PositionalOn();
+  lamp->SetConeAngle(80.0);
+  lamp->SetPosition(0.0, 0.0, 3.0);
+  lamp->SetFocalPoint(0.0, 0.0, 0.0);
+  lamp->SetShapeToRectangle();
+  lamp->SetSize(1.0, 1.0);
+  renderer->AddLight(lamp);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(0.125, 0.0, 2.0);
+  camera->SetFocalPoint(0.125, 0.0, 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.06); // x from 0.045 to 0.205
+  camera->SetClippingRange(0.5, 3.0);
+  Stage stage(renderer);
+  stage.Pass->SetFilter(vtkCascadedSoftShadowPass::WIDE);
+  for (int i = 0; i < 3; ++i)
   {
-    errors.push_back(visibility.At(pixel.X, pixel.Y) - pixel.Expected);
+    stage.Pass->SetSampleEdge(i, 1);
+    stage.Pass->SetFilterSize(i, 15);
   }
-  return RootMeanSquare(errors);
-}
-}
-
-// It reaches its tolerance, and looks at fewer points than the uniform grid with the same error.
-TEST(AdaptiveSampledPass, ReachesItsToleranceWithFewerPoints)
-{
-  const Scene scene = MakeRectangleScene(Weights::Mean);
-  OffscreenWindow window(Width, Height);
-  window.Add(scene.Renderer);
-  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
-  adaptive->EarlyOutOff();
-  UsePass(scene.Renderer, adaptive);
-  window.Render();
-  const double error = ErrorOf(scene, PictureOf(adaptive->GetVisibilityImage(0)));
-  EXPECT_LT(error, adaptive->GetTolerance());
-  const double perPixel = static_cast<double>(adaptive->GetNumberOfPixelSamples()) /
-    static_cast<double>(adaptive->GetStatistics().PixelsFiltered);
-  adaptive->ReleaseGraphicsResources(window.Get());
-
-  vtkNew<vtkCascadedSoftShadowPass> uniform;
-  uniform->EarlyOutOff();
-  uniform->SetNumberOfCascades(1);
-  uniform->SetFilterSize(0, adaptive->GetFilterSize(0));
-  UsePass(scene.Renderer, uniform);
-  int edge = 1;
-  for (; edge < 16; ++edge)
+  const Picture visibility = stage.Render();
+  for (const int column : { 5, Width / 2, Width - 5 })
   {
-    uniform->SetSampleEdge(0, edge);
-    window.Render();
-    if (ErrorOf(scene, PictureOf(uniform->GetVisibilityImage(0))) <= error)
-    {
-      break;
-    }
+    const double x = 0.125 + 0.12 * (column + 0.5 - 0.5 * Width) / Height;
+    EXPECT_NEAR(visibility.At(column, Height / 2), 0.5 + 2.0 * x, 0.05) << "x " << x;
   }
-  UsePass(scene.Renderer, nullptr);
-  uniform->ReleaseGraphicsResources(window.Get());
-  RecordProperty("Error", std::to_string(error));
-  RecordProperty("PointsPerPixel", std::to_string(perPixel));
-  RecordProperty("UniformPoints", edge * edge);
-  EXPECT_GT(perPixel, 4.0 - 1e-6);
-  EXPECT_LT(perPixel, edge * edge);
-}
-
-// A tolerance that nothing meets is the uniform grid of all 81 points.
-TEST(AdaptiveSampledPass, ZeroToleranceTakesAllPointsInThePenumbra)
-{
-  const Scene scene = MakeDiskScene();
-  OffscreenWindow window(Width, Height);
-  window.Add(scene.Renderer);
-  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
-  adaptive->EarlyOutOff();
-  adaptive->SetTolerance(0.0);
-  UsePass(scene.Renderer, adaptive);
-  window.Render();
-  EXPECT_EQ(adaptive->GetStatistics().MapsBaked, 81);
-  EXPECT_LT(ErrorOf(scene, PictureOf(adaptive->GetVisibilityImage(0))), 0.02);
-  UsePass(scene.Renderer, nullptr);
-  adaptive->ReleaseGraphicsResources(window.Get());
-}
-
-// A hard light needs its one point; when the light moves on, levels that nobody needed are not
-// baked again.
-TEST(AdaptiveSampledPass, BakesTheLevelsThatWereNeeded)
-{
-  const Scene scene = MakeRectangleScene(Weights::Mean);
-  OffscreenWindow window(Width, Height);
-  window.Add(scene.Renderer);
-  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
-  adaptive->EarlyOutOff();
-  adaptive->SetTolerance(0.5);
-  UsePass(scene.Renderer, adaptive);
-  window.Render();
-  window.Read(); // the counts are back
-  const vtkTypeInt64 first = adaptive->GetStatistics().MapsBaked;
-  EXPECT_EQ(first, 81);
-  double position[3];
-  scene.Light->GetPosition(position);
-  scene.Light->SetPosition(position[0] + 1e-3, position[1], position[2]);
-  window.Render();
-  EXPECT_EQ(adaptive->GetStatistics().MapsBaked - first, 9);
-  scene.Light->SetShapeToPoint();
-  window.Render();
-  EXPECT_EQ(adaptive->GetStatistics().MapsBaked - first, 10);
-  UsePass(scene.Renderer, nullptr);
-  adaptive->ReleaseGraphicsResources(window.Get());
 }

@@ -103,6 +103,45 @@ TEST(ShadowCascades, BodiesOutOfViewHaveNoDepths)
   EXPECT_TRUE(vtkShadowCascades::FindDepths({ unlit }, view).empty());
 }
 
+// Boxes that planes cut, that lie aside, in or around the frustum: as many points as it takes to know.
+TEST(ShadowCascades, DepthsOfBoxesAreThoseOfTheirPointsInView)
+{
+  const auto view = ViewOf(MakeCamera());
+  int seen = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double x = -12.0 + 7.0 * (i % 4);
+    const double y = -4.0 + 3.0 * (i / 4 % 5);
+    const double z = -9.0 + 6.0 * (i / 20);
+    const Body box = MakeBox(x, x + 5.0, y, y + 4.0, z, z + 3.0);
+    vtkShadowCascades::Interval expected = { 1e30, -1e30 };
+    for (int k = 0; k < 41 * 41 * 41; ++k)
+    {
+      const double p[4] = { x + 5.0 * (k % 41) / 40.0, y + 4.0 * (k / 41 % 41) / 40.0,
+        z + 3.0 * (k / 1681) / 40.0, 1.0 };
+      double clip[4];
+      vtkMatrix4x4::MultiplyPoint(view.WorldToClip.data(), p, clip);
+      if (std::abs(clip[0]) <= clip[3] && std::abs(clip[1]) <= clip[3] &&
+        std::abs(clip[2]) <= clip[3])
+      {
+        expected = { std::min(expected.first, p[1]), std::max(expected.second, p[1]) };
+      }
+    }
+    const auto depths = vtkShadowCascades::FindDepths({ box }, view);
+    if (expected.first > expected.second)
+    {
+      // Less than a step of the points may be in view.
+      EXPECT_TRUE(depths.empty() || depths[0].second - depths[0].first < 0.3) << "box " << i;
+      continue;
+    }
+    ASSERT_EQ(depths.size(), 1u) << "box " << i;
+    EXPECT_NEAR(depths[0].first, expected.first, 0.2) << "box " << i;
+    EXPECT_NEAR(depths[0].second, expected.second, 0.2) << "box " << i;
+    ++seen;
+  }
+  EXPECT_GT(seen, 15);
+}
+
 // A camera inside a box sees all depths up to the box's far side.
 TEST(ShadowCascades, DepthsOfABoxAroundTheCameraBeginAtItsNearPlane)
 {
@@ -134,7 +173,7 @@ TEST(ShadowCascades, FlatReceiversCountWhereAShadowCanFall)
   point.Window = { { 20.0, 30.0, -5.0, 5.0 } };
   point.Near = -1.0;
   point.Far = 10.0;
-  view.Points = { point };
+  view.Points = { { point } };
   const Body ground = MakeGround(-2.0, -500.0, 1000.0);
   auto depths = vtkShadowCascades::FindDepths({ ground }, view);
   ASSERT_EQ(depths.size(), 1u);
@@ -142,11 +181,21 @@ TEST(ShadowCascades, FlatReceiversCountWhereAShadowCanFall)
   EXPECT_NEAR(depths[0].second, 30.0, 1e-3);
   // A second point that sees the shadow elsewhere widens the range.
   point.Window = { { 40.0, 50.0, -5.0, 5.0 } };
-  view.Points.push_back(point);
+  view.Points.push_back({ point });
   depths = vtkShadowCascades::FindDepths({ ground }, view);
   EXPECT_NEAR(depths[0].second, 50.0, 1e-3);
+  // A cell's image and a filter reach beyond what the point itself sees: d is 3 / 11 on the ground.
+  view.Points.pop_back();
+  view.Points[0].CellScale = { { 0.55, 0.0 } };
+  depths = vtkShadowCascades::FindDepths({ ground }, view);
+  EXPECT_NEAR(depths[0].first, 20.0 - 1.5, 1e-3);
+  EXPECT_NEAR(depths[0].second, 30.0 + 1.5, 1e-3);
+  view.Points[0].Border = 0.1;
+  depths = vtkShadowCascades::FindDepths({ ground }, view);
+  EXPECT_NEAR(depths[0].first, 20.0 - 2.5, 1e-3);
+  EXPECT_NEAR(depths[0].second, 30.0 + 2.5, 1e-3);
   // Above the nearest caster nothing falls.
-  view.Points[0].Near = view.Points[1].Near = 3.0;
+  view.Points[0].Map.Near = 3.0;
   EXPECT_TRUE(vtkShadowCascades::FindDepths({ ground }, view).empty());
   EXPECT_FALSE(vtkShadowCascades::Find({ ground }, view, 3, 0.5, 0.2).front().Occupied);
   EXPECT_EQ(vtkShadowCascades::FindDepths({ MakeWall(10.0) }, view).size(), 1u);
@@ -266,7 +315,7 @@ TEST(ShadowCascadeWindow, MovesByWholeTexels)
   {
     const std::array<double, 3> center = { { 3.0 + 0.0371 * step, 5.0 - 0.0713 * step, 1.0 } };
     vtkShadowMapView view = MakeSunView();
-    ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 7.0, resolution, 3, view));
+    ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 7.0, resolution, 3, { { 0.0, 0.0 } }, view));
     const double size = view.Window[1] - view.Window[0];
     if (step > 0)
     {
@@ -293,15 +342,18 @@ TEST(ShadowCascadeWindow, KeepsAFitThatIsSmaller)
 {
   vtkShadowMapView view = MakeSunView();
   const vtkShadowMapView fit = view;
-  EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, 0.0 } }, 700.0, 512, 3, view));
+  EXPECT_TRUE(
+    vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, 0.0 } }, 700.0, 512, 3, { { 0.0, 0.0 } }, view));
   EXPECT_TRUE(view == fit);
 }
 
 TEST(ShadowCascadeWindow, NoCasterInFrontOfTheSphereNeedsNoMap)
 {
   vtkShadowMapView view = MakeSunView();
-  EXPECT_FALSE(vtkShadowCascadeWindow::Cut({ { 600.0, 0.0, 0.0 } }, 50.0, 512, 3, view));
-  EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 549.0, 0.0, 0.0 } }, 50.0, 512, 3, view));
+  EXPECT_FALSE(
+    vtkShadowCascadeWindow::Cut({ { 600.0, 0.0, 0.0 } }, 50.0, 512, 3, { { 0.0, 0.0 } }, view));
+  EXPECT_TRUE(
+    vtkShadowCascadeWindow::Cut({ { 549.0, 0.0, 0.0 } }, 50.0, 512, 3, { { 0.0, 0.0 } }, view));
 }
 
 // What a lamp sees of the sphere, by points on it.
@@ -313,7 +365,7 @@ TEST(ShadowCascadeWindow, ALampsWindowHoldsTheSphere)
   fit.Far = 100.0;
   const std::array<double, 3> center = { { 3.0, -2.0, -6.0 } };
   vtkShadowMapView view = fit;
-  ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 2.0, 1024, 3, view));
+  ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 2.0, 1024, 3, { { 0.0, 0.0 } }, view));
   EXPECT_LT(view.Window[1] - view.Window[0], 4.0);
   for (int i = 0; i < 1000; ++i)
   {
@@ -331,7 +383,8 @@ TEST(ShadowCascadeWindow, ALampsWindowHoldsTheSphere)
   }
   // A lamp inside the sphere looks everywhere.
   view = fit;
-  EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, -1.0 } }, 2.0, 1024, 3, view));
+  EXPECT_TRUE(
+    vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, -1.0 } }, 2.0, 1024, 3, { { 0.0, 0.0 } }, view));
   EXPECT_TRUE(view == fit);
 }
 
