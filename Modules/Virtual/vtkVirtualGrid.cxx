@@ -17,7 +17,6 @@
 #include "vtkVirtualPointVS.h"
 #include "vtkVirtualPyramidFS.h"
 
-#include <cstring>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -30,13 +29,6 @@ vtkShadowShader::Definitions GridDefinitions()
 {
   return { { "VIRTUAL_PENUMBRA", std::to_string(vtkVirtualScreen::PENUMBRA) + ".0" },
     { "VIRTUAL_UNUSED", std::to_string(vtkVirtualTileTree::Unused) } };
-}
-
-// Mesa's software rasterisers run vertex shaders at once, even on a texture that they still draw.
-bool IsDrawnInSoftware()
-{
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
 }
 } // namespace
 
@@ -68,7 +60,7 @@ bool vtkVirtualGrid::Allocate(vtkOpenGLRenderWindow* window)
   }
   if (!this->Framebuffer)
   {
-    this->DrawnInSoftware = IsDrawnInSoftware();
+    this->DrawnInSoftware = vtkVirtualScreen::IsDrawnInSoftware();
     glGenFramebuffers(1, &this->Framebuffer);
     this->VertexArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
   }

@@ -81,7 +81,8 @@ bool vtkVirtualSoftShadowPass::HasGaussianWeights() const
 vtkTypeInt64 vtkVirtualSoftShadowPass::GetTechniqueBytes()
 {
   const Internals& impl = *this->Impl;
-  vtkTypeInt64 bytes = impl.Spare.GetBytes() + impl.Sums.GetBytes() + impl.Grid.GetBytes();
+  vtkTypeInt64 bytes = impl.Spare.GetBytes() + impl.Sums.GetBytes() + impl.Grid.GetBytes() +
+    impl.TileShader->GetBytes();
   for (const auto& screen : impl.Screens)
   {
     bytes += screen->GetBytes();

@@ -137,7 +137,8 @@ public:
   /**
    * Blocks along an edge of the blocker search, in [1, 64], for each octave of distances from the
    * receiver; a region of fewer texels is searched completely. Software rasterisers end a shader's
-   * loops after 65535 rounds, hence the limit. Default is 24.
+   * loops after 65535 rounds, hence the limit. Default is 12: with 24 the RMSE of the benchmark's
+   * scenes changes by less than 0.001.
    */
   vtkSetClampMacro(SearchWidth, int, 1, 64);
   vtkGetMacro(SearchWidth, int);
@@ -226,7 +227,7 @@ protected:
   int Metric = DYNAMIC;
   int Weights = vtkShadowLightSampling::MEAN;
   double Quality = 3.0;
-  int SearchWidth = 24;
+  int SearchWidth = 12;
   int MaximumTiles = 256;
   int GridLatency = 0;
   int DebugView = DEBUG_NONE;

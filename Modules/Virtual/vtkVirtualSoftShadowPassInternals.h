@@ -13,6 +13,7 @@
 #include "vtkShadowDepthMaps.h"    // For views
 #include "vtkShadowShader.h"       // For members
 #include "vtkSoftShadowsOpenGL.h"  // For names of states
+#include "vtkVirtualBlocks.h"      // For members
 #include "vtkVirtualGrid.h"        // For members
 #include "vtkVirtualRequest.h"     // For members
 #include "vtkVirtualScreen.h"      // For members
@@ -70,7 +71,7 @@ public:
   std::string ShapeText;
   std::string TileText;
   std::unique_ptr<vtkShadowShader> ShapeShader;
-  std::unique_ptr<vtkShadowShader> TileShader;
+  std::unique_ptr<vtkVirtualBlocks> TileShader;
   std::unique_ptr<vtkShadowShader> ResolveShader;
 
   vtkTypeInt64 DrawCalls = 0;

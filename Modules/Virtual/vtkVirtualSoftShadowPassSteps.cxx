@@ -64,11 +64,10 @@ vtkVirtualSoftShadowPass::Internals::Internals()
   : ShapeText(WithShared(vtkVirtualShapeFS))
   , TileText(WithShared(vtkVirtualTileFS))
   , ShapeShader(new vtkShadowShader(ShapeText.c_str()))
-  , TileShader(new vtkShadowShader(TileText.c_str()))
+  , TileShader(new vtkVirtualBlocks(TileText.c_str(), SharedDefinitions()))
   , ResolveShader(new vtkShadowShader(vtkVirtualResolveFS))
 {
   this->ShapeShader->SetDefinitions(SharedDefinitions());
-  this->TileShader->SetDefinitions(SharedDefinitions());
   this->ResolveShader->SetDefinitions(SharedDefinitions());
 }
 
@@ -133,7 +132,8 @@ void vtkVirtualSoftShadowPass::DrawTiles(const vtkSoftShadowContext& context)
   const vtkVirtualEmitterState& emitter = *impl.Current;
   const bool allocated = impl.Sums.AllocateSums(
     context.Window, context.Receivers->GetWidth(), context.Receivers->GetHeight());
-  if (!allocated || !impl.TileShader->Use(context.Window))
+  if (!allocated || !impl.TileShader->FindBounds(context.Window, *emitter.Screen) ||
+    !impl.TileShader->Use(context.Window))
   {
     return;
   }
