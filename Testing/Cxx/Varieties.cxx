@@ -126,7 +126,7 @@ Props SheetWithHole()
 }
 
 //------------------------------------------------------------------------------
-/// Physically based, with colour, occlusion-roughness-metallic, normal and emission.
+/// Physically based, with every texture that there is.
 Props PhysicallyTexturedSheet()
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -150,6 +150,10 @@ Props PhysicallyTexturedSheet()
   const auto emission = MakeTexture(material, false);
   emission->UseSRGBColorSpaceOn();
   property->SetEmissiveTexture(emission);
+  property->SetAnisotropy(0.5);
+  property->SetAnisotropyTexture(MakeTexture(material, false));
+  property->SetCoatStrength(0.5);
+  property->SetCoatNormalTexture(MakeTexture(normal, false));
   return { actor };
 }
 

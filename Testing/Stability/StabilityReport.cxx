@@ -116,6 +116,54 @@ Above what the technique's kind of estimate reaches elsewhere, and why.
 }
 
 //------------------------------------------------------------------------------
+void PrintTests()
+{
+  std::cout << R"(
+## What is tested where
+
+Beside the cases above, by name (`ctest -N` lists them all). Most run with every technique.
+
+| what | tests |
+| --- | --- |
+| scale, place, window, viewport, history, resize | `Invariance.*`, `Viewports.*`, `SharedPass.*` |
+| large pictures in tiles, multisamples, opacity, both eyes in stereo, gradient and textured backgrounds, buffers kept for the next renderer, windows closed and opened again, picking by a hardware selector | `Windows.*` |
+| lights and props that change while the camera rests | `Windows.ChangesUnderARestingCamera`, `Frames.LightsComeAndGo`, `Counts.*` |
+| levels of detail that switch with the update rate | `LevelsOfDetail.*` |
+| contacts, self-shadowing | `Surface.*` |
+| no light, no caster, NaN, no area, lights on and in surfaces | `Degenerate.*` |
+| Phong, Gouraud, PBR, composite data, glyphs, assemblies as casters and receivers | `Material.*` |
+| textures, holes by alpha, clipping planes, scalar colours, vertex shaders, levels of detail, mirroring and nested matrices, edges, spheres, sticks, molecules against the same bodies in plain triangles | `VarietyTest.*` |
+| wires, lines, points, tubes | `Frames.WiresLinesAndPointsCast` |
+| SSAO, FXAA, SSAA, depth of field, tone mapping and EDL around the pass | `PassChain.*`, `Frames.AmbientOcclusionChangesNoVisibility` |
+| translucent props with and without depth peeling, volumes | `Frames.TranslucentPropsWithDepthPeeling`, `Frames.VolumesStay` |
+| thousands of frames, windows that come and go, OpenGL state, objects and errors | `Lifetime.*`, `Hygiene.*`, `PassSwitching.*` |
+| settings out of range | `AreaLight.*`, `Techniques.*`, `RenderErrors.*` |
+| scene files | `SceneErrors.*`, and the fuzz target |
+| models that are cut, damaged, huge, of another kind | `ModelFiles.*` |
+| outputs that are folders, links, devices, full; a tool that is ended by a signal | `RenderErrors.*`, `RenderFailures.*` |
+
+What vtkShadowMapPass gets wrong has a test each, with that pass beside ours where it shows:
+
+| fault | test |
+| --- | --- |
+| wrong shadows in windows that are not square | `Invariance.WindowShape`, `Stability` `WindowWide`, `WindowTall` |
+| light leaks near contacts in deep scenes | `Surface.ShadowTouchesTheBoxInADeepScene` |
+| no shadow on PBR from positional lights | `Material.ColourIsMultipliedByVisibility` |
+| points outside the map too bright | `Pitfall.OutsideTheMapIsLitAsEver` |
+| a changed input of the mapper does not count | `Pitfall.InputOfTheMapperChanges` |
+| a new resolution is ignored | `Pitfall.MapSizeChangesAfterTheFirstFrame` |
+| lights that are off shift the others | `Pitfall.LightThatIsOffStandsFirst` |
+| translucent actors vanish | `Pitfall.TranslucentActorsStay` |
+| background in the map, black translucent receivers | `Pitfall.BackgroundDoesNotShadow`, `Pitfall.TranslucentReceiverIsNotBlack` |
+| casters out of view | `Pitfall.CasterLeavesTheView` |
+| imposters cast billboards | `Pitfall.SphereImpostersCastSpheres` |
+| headlights bake everything anew | `Pitfall.HeadlightsBakeNothing` |
+| shaders built again and again | `Counts.ThousandActorsAndAMovingCamera` |
+| lights that silently cast nothing | `Pitfall.OmniLightCastsToAllSides`, `Pitfall.LightsWithoutShadowAreReported` |
+)";
+}
+
+//------------------------------------------------------------------------------
 void PrintReport()
 {
   PrintIntroduction();
@@ -141,6 +189,7 @@ void PrintReport()
     PrintRow(hardCase);
   }
   PrintKnownErrors();
+  PrintTests();
 }
 
 }

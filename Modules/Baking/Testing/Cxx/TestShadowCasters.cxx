@@ -6,13 +6,21 @@
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
 #include "vtkTransform.h"
+#include "vtkVersionMacros.h"
+
+#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 3)
+#include "vtkCompositePolyDataMapper.h"
+using CompositeMapper = vtkCompositePolyDataMapper;
+#else
+#include "vtkCompositePolyDataMapper2.h"
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#endif
 
 #include <gtest/gtest.h>
 
@@ -84,7 +92,7 @@ TEST(ShadowCasters, BlocksCastAsTheyAreSeen)
   nested->SetBlock(0, MakeBox(0.5, 1.5, -0.5, 0.5, 1.0));
   nested->SetBlock(1, MakeBox(0.5, 1.5, 1.0, 1.5, 1.5));
   blocks->SetBlock(1, nested);
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<CompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
