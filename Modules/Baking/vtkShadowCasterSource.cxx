@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// vtkCompositePolyDataMapper2 is deprecated from VTK 9.3 on, but applications may still have it.
+#define VTK_DEPRECATION_LEVEL 0
+
 #include "vtkShadowCasterSource.h"
 
 #include "vtkActor.h"
