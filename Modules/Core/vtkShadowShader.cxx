@@ -16,6 +16,7 @@
 #include "vtkShadowProof.h"
 #include "vtkShadowReceiver.h"
 #include "vtkShadowSamples.h"
+#include "vtkShadowSurface.h"
 
 #include <set>
 #include <sstream>
@@ -35,6 +36,7 @@ const char* FindSnippet(const std::string& name)
     { "vtkShadowProof", vtkShadowProof },
     { "vtkShadowReceiver", vtkShadowReceiver },
     { "vtkShadowSamples", vtkShadowSamples },
+    { "vtkShadowSurface", vtkShadowSurface },
   };
   for (const auto& snippet : snippets)
   {

@@ -7,6 +7,7 @@
 // last one writes the visibility times the emitter's weight.
 
 //SoftShadows::Include vtkShadowReceiver
+//SoftShadows::Include vtkShadowSurface
 
 uniform sampler2DArray source;
 uniform int firstStep; // the source are sums: of points in front, of those seen, of reaches...
@@ -14,10 +15,6 @@ uniform int lastStep;
 uniform float weight;  // of the emitter
 uniform float rangeDeviation; // h_r, in units of visibility
 
-// How far off the receiver's plane a tap may lie, as the sine of the angle seen from the receiver,
-// and how far its normal may turn. Beyond them it belongs to something else.
-const float planeLimit = 0.4;
-const float leastCosine = 0.7;
 // What rounding leaves of a mean of 0 or 1.
 const float visibilityRounding = 1e-4;
 
@@ -76,21 +73,6 @@ Pixel fetchPixel(ivec2 pixel)
 #else
   return Pixel(value.g, 0.0, 1.0);
 #endif
-}
-
-// Whether a tap belongs to the receiver's surface: 1 on its plane, 0 beyond an edge or a crease.
-float surfaceWeight(Receiver receiver, ivec2 pixel)
-{
-  Receiver other;
-  if (!loadReceiver(pixel, other))
-  {
-    return 0.0;
-  }
-  vec3 offset = other.positionVs - receiver.positionVs;
-  float height = abs(dot(offset, receiver.normalVs)) / max(length(offset), 1e-30);
-  float turn = (1.0 - dot(receiver.normalVs, other.normalVs)) / (1.0 - leastCosine);
-  height /= planeLimit;
-  return max(1.0 - height * height, 0.0) * max(1.0 - turn * turn, 0.0);
 }
 
 // Adds a tap of the domain weight given.
