@@ -2,58 +2,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMarchedSoftShadowPass.h"
 
+#include "vtkMarchedRays.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowDepthPyramid.h"
 #include "vtkShadowReceivers.h"
+#include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowsOpenGL.h"
 
+#include "vtkMarchedFilterFS.h"
 #include "vtkMarchedSoftShadowFS.h"
-
-#include <algorithm>
-#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkMarchedSoftShadowPass);
 
 namespace
 {
-// A ray is four floats; OpenGL 3.2 guarantees 1024 floats of uniforms.
-constexpr int MaximumRays = 240;
-
-// Jitter of ray i's steps: the golden ratio's multiples are spread evenly for any prefix.
-float StepJitter(int i)
-{
-  const double multiple = (i + 0.5) * 0.6180339887498949;
-  return static_cast<float>(multiple - static_cast<int>(multiple));
-}
-
-// An edge of a shadow that crosses the light parts its rim: the outermost quarter of the samples, with
-// half of the others against what is smaller than the light. Returns how many these are.
-int PutDecisiveFirst(std::vector<vtkShadowLightSampling::Sample>& samples)
-{
-  const auto outside =
-    [](const vtkShadowLightSampling::Sample& a, const vtkShadowLightSampling::Sample& b)
-  { return a.U * a.U + a.V * a.V > b.U * b.U + b.V * b.V; };
-  const std::size_t rim = (samples.size() + 3) / 4;
-  std::vector<vtkShadowLightSampling::Sample> sorted = samples;
-  std::nth_element(sorted.begin(), sorted.begin() + (rim - 1), sorted.end(), outside);
-  const vtkShadowLightSampling::Sample last = sorted[rim - 1];
-  std::stable_partition(samples.begin(), samples.end(),
-    [&](const vtkShadowLightSampling::Sample& sample) { return !outside(last, sample); });
-  return static_cast<int>(std::min(rim + (3 * samples.size() + 7) / 8, samples.size()));
-}
+// A mean of n well-spread rays is off by a few times 1 / n.
+constexpr float TolerancePerRay = 4.0f;
 } // namespace
+
+class vtkMarchedSoftShadowPass::Internals
+{
+public:
+  Internals()
+    : Shader(vtkMarchedSoftShadowFS)
+    , FilterShader(vtkMarchedFilterFS)
+  {
+  }
+
+  vtkShadowShader Shader;
+  vtkShadowShader FilterShader;
+  vtkMarchedRays Rays;
+  vtkNew<vtkShadowTextureArray> Unfiltered; // RG32F: see the filter
+  unsigned int Framebuffer = 0;
+};
 
 //------------------------------------------------------------------------------
 vtkMarchedSoftShadowPass::vtkMarchedSoftShadowPass()
-  : Shader(vtkMarchedSoftShadowFS)
+  : Impl(new Internals)
 {
-  const vtkShadowShader::Definitions definitions = { { "MARCHED_MAXIMUM_RAYS",
-    std::to_string(MaximumRays) } };
-  this->Shader.SetDefinitions(definitions);
 }
 
 //------------------------------------------------------------------------------
@@ -77,53 +70,137 @@ int vtkMarchedSoftShadowPass::GetProof() const
 //------------------------------------------------------------------------------
 void vtkMarchedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
 {
-  if (!this->Shader.Use(context.Window))
+  const int pattern = context.Emitter.HasExtent() ? this->Pattern : 1;
+  if (pattern == 1)
+  {
+    this->DrawRays(context, pattern, context.Emitter.Weight);
+    return;
+  }
+  {
+    vtkOpenGLState* state = context.Window->GetState();
+    const vtkOpenGLState::ScopedglViewport viewport(state);
+    const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    const vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+    state->PushFramebufferBindings();
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_BLEND);
+    if (this->BeginUnfiltered(context))
+    {
+      this->DrawRays(context, pattern, 1.0);
+    }
+    state->PopFramebufferBindings();
+  }
+  this->BeginStep("pattern filter");
+  this->DrawFilter(context, pattern);
+  this->BeginStep("visibility");
+}
+
+//------------------------------------------------------------------------------
+bool vtkMarchedSoftShadowPass::BeginUnfiltered(const vtkSoftShadowContext& context)
+{
+  const int width = context.Receivers->GetWidth();
+  const int height = context.Receivers->GetHeight();
+  vtkShadowTextureArray* texture = this->Impl->Unfiltered;
+  if (!texture->Allocate(context.Window, vtkShadowTextureArray::RG32F, width, height, 1))
+  {
+    return false;
+  }
+  if (!this->Impl->Framebuffer)
+  {
+    glGenFramebuffers(1, &this->Impl->Framebuffer);
+  }
+  vtkOpenGLState* state = context.Window->GetState();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Impl->Framebuffer);
+  glFramebufferRenderbuffer(
+    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, context.Marks);
+  texture->AttachLayer(0);
+  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  state->vtkglViewport(0, 0, width, height);
+  const float none[4] = { -1.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, none);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkMarchedSoftShadowPass::DrawRays(
+  const vtkSoftShadowContext& context, int pattern, double weight)
+{
+  vtkShadowShader& shader = this->Impl->Shader;
+  if (!shader.Use(context.Window))
   {
     return;
   }
-  vtkShaderProgram* program = this->Shader.GetProgram();
+  vtkShaderProgram* program = shader.GetProgram();
   this->SetReceiverUniforms(program, context);
   this->SetMapUniforms(
     program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
-  std::vector<vtkShadowLightSampling::Sample> samples = vtkShadowLightSampling::Generate(
-    context.Emitter, this->Rays, vtkShadowLightSampling::SOBOL, this->Weights);
-  const int firstRays = PutDecisiveFirst(samples);
-  std::vector<float> rays;
-  for (size_t i = 0; i < samples.size(); ++i)
-  {
-    rays.insert(rays.end(),
-      { static_cast<float>(samples[i].U), static_cast<float>(samples[i].V),
-        static_cast<float>(samples[i].Weight), StepJitter(static_cast<int>(i)) });
-  }
-  const int rayCount = static_cast<int>(samples.size());
-  program->SetUniform4fv("rays", rayCount, rays.data());
-  program->SetUniformi("rayCount", rayCount);
-  program->SetUniformi("firstRays", firstRays);
+  vtkMarchedRays& rays = this->Impl->Rays;
+  program->SetUniformi(
+    "rays", rays.Activate(context.Window, context.Emitter, this->Rays, pattern, this->Weights));
+  program->SetUniformi("rayCount", rays.GetCount());
+  program->SetUniformi("firstRays", rays.GetFirstCount());
+  program->SetUniformi("pattern", pattern);
   program->SetUniformi("stepCount", this->Steps);
   program->SetUniformf("thickness", static_cast<float>(this->Thickness));
   program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
-  program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
+  program->SetUniformf("weight", static_cast<float>(weight));
   vtkShadowTextureArray* maps = context.Maps->GetTexture();
   vtkShadowTextureArray* pyramid = context.Pyramid->GetTexture();
   program->SetUniformi("depthMaps", maps->Activate());
   program->SetUniformi("depthPyramid", pyramid->Activate());
-  this->DrawFiltered(this->Shader);
+  this->DrawFiltered(shader);
   pyramid->Deactivate();
   maps->Deactivate();
+  rays.Deactivate();
   context.Receivers->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkMarchedSoftShadowPass::DrawFilter(const vtkSoftShadowContext& context, int pattern)
+{
+  vtkShadowShader& shader = this->Impl->FilterShader;
+  if (!shader.Use(context.Window))
+  {
+    return;
+  }
+  vtkShaderProgram* program = shader.GetProgram();
+  this->SetReceiverUniforms(program, context);
+  program->SetUniformi("pattern", pattern);
+  program->SetUniformf("tolerance", TolerancePerRay / static_cast<float>(this->Rays));
+  program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
+  vtkShadowTextureArray* source = this->Impl->Unfiltered;
+  program->SetUniformi("source", source->Activate());
+  shader.Draw();
+  source->Deactivate();
+  context.Receivers->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkMarchedSoftShadowPass::GetTechniqueBytes()
+{
+  return this->Impl->Unfiltered->GetBytes() + this->Impl->Rays.GetBytes();
 }
 
 //------------------------------------------------------------------------------
 int vtkMarchedSoftShadowPass::GetTechniqueShaderBuilds()
 {
-  return this->Shader.GetNumberOfBuilds();
+  return this->Impl->Shader.GetNumberOfBuilds() + this->Impl->FilterShader.GetNumberOfBuilds();
 }
 
 //------------------------------------------------------------------------------
 void vtkMarchedSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  this->Shader.ReleaseGraphicsResources(window);
+  Internals& impl = *this->Impl;
+  impl.Shader.ReleaseGraphicsResources(window);
+  impl.FilterShader.ReleaseGraphicsResources(window);
+  impl.Rays.ReleaseGraphicsResources(window);
+  impl.Unfiltered->ReleaseGraphicsResources(window);
+  if (impl.Framebuffer)
+  {
+    glDeleteFramebuffers(1, &impl.Framebuffer);
+    impl.Framebuffer = 0;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -133,6 +210,7 @@ void vtkMarchedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Rays: " << this->Rays << "\n";
   os << indent << "Steps: " << this->Steps << "\n";
   os << indent << "Thickness: " << this->Thickness << "\n";
+  os << indent << "Pattern: " << this->Pattern << "\n";
   os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
 }
 VTK_ABI_NAMESPACE_END

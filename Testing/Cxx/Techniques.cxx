@@ -65,7 +65,7 @@ vtkSmartPointer<vtkSoftShadowPass> MakeMarched(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkMarchedSoftShadowPass>::New();
   pass->SetMapSize(Choose(effort, 2048, 512, 512));
-  pass->SetRays(Choose(effort, 64, 32, 16));
+  pass->SetRays(Choose(effort, 32, 16, 16));
   if (weights == Weights::Gaussian)
   {
     pass->SetWeightsToGaussian();
@@ -159,7 +159,7 @@ const std::vector<Technique>& AllTechniques()
   static const std::vector<Technique> techniques = {
     { "Sampled", MakeSampled, 0.01, 0.03, 1.0 / 16.0 },
     { "PercentageCloser", MakePercentageCloser, 0.015, 0.03, 1.0 / 11.0 },
-    { "Marched", MakeMarched, 0.015, 0.03, 1.0 / 8.0 },
+    { "Marched", MakeMarched, 0.015, 0.03, 1.0 / 8.0, 0.008 },
     { "Bilateral", MakeBilateral, 0.01, 0.03, 1.0 / 15.0, 0.01, false, false },
     { "Separable", MakeSeparable, 0.015, 0.03, 1.0 / 11.0, 0.002, true },
     { "Cascaded", MakeCascaded, 0.01, 0.03, 1.0 / 16.0 },

@@ -21,6 +21,8 @@ Technique MakeMarchedTechnique()
     SOFTSHADOWS_INTEGER_OPTION(pass, Steps, "steps", "steps along a ray"));
   technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
     pass, Thickness, "thickness", "how thick a blocker is taken to be, in steps"));
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
+    pass, Pattern, "pattern", "edge in pixels of the pattern of rays; 1: none"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
   technique.Draft = { { "rays", "16" }, { "steps", "8" }, { "map_size", "512" } };

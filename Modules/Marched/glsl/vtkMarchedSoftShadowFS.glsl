@@ -12,12 +12,17 @@
 uniform mat4 viewToMap;
 uniform vec2 kernelScale;
 uniform float mapLayer;
-uniform float weight;
-uniform vec4 rays[MARCHED_MAXIMUM_RAYS]; // window coordinates, weight, jitter of the steps in [0, 1)
+uniform float weight; // of the emitter, if there is no pattern
+uniform sampler2D rays; // a row per pixel of the pattern: window coordinates, weight, jitter of the steps in [0, 1)
+uniform int pattern;    // edge of the pattern in pixels
 uniform int rayCount;
 uniform int firstRays; // if these agree, the rest is not walked
 uniform int stepCount;
 uniform float thickness; // of a blocker, in steps
+
+// How much further than gap a surface may fall between the two looks and still be the same. Steep
+// sides of solid bodies do; with less, rays slip out through them and round bodies leak.
+const float continuity = 4.0;
 
 // 1 if a texel blocks the ray to e. The steps are even in the square root of the light's width, so
 // that they are fine where contacts are. A step only finds a surface nearby; whether the ray meets it is
@@ -40,7 +45,7 @@ float marchRay(MapPoint point, vec2 e, float jitter, float reach)
     {
       vec2 meeting = point.std.xy + e * kernelScale * max(point.std.z - depth, 0.0);
       float there = mapDepth(meeting, mapLayer);
-      if (abs(there - depth) <= gap && isBlocker(point, meeting, there))
+      if (abs(there - depth) <= continuity * gap && isBlocker(point, meeting, there))
       {
         return 1.0;
       }
@@ -54,21 +59,42 @@ void main()
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
-  // Nothing lies in front of the nearest depth within the kernel.
-  vec2 widest = kernelScale * max(point.std.z, 0.0);
-  DepthRange depths = searchPyramid(point, widest, mapLayer);
+  // Nothing lies in front of the nearest depth within the kernel; nor, on a second look, in front of the
+  // nearest one where the light's image is as wide as it is there.
+  DepthRange depths = searchPyramid(point, kernelScale * max(point.std.z, 0.0), mapLayer);
   float reach = max(point.std.z - depths.nearest, 0.0);
-  float blocked = 0.0;
+  if (depths.anyBlocker)
+  {
+    depths = searchPyramid(point, kernelScale * reach, mapLayer);
+    reach = max(point.std.z - depths.nearest, 0.0);
+  }
+  bool allFaces = point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0;
+  if (allFaces && !depths.anyBlocker)
+  {
+    // Lit, whether or not it was proved before: the filter must not tell the difference.
+    gl_FragData[0] = pattern > 1 ? vec4(-1.0) : vec4(weight);
+    return;
+  }
+  ivec2 phase = ivec2(gl_FragCoord.xy) % pattern;
+  int row = phase.x + pattern * phase.y;
   float total = 0.0;
+  float facing = 0.0;
+  float seen = 0.0;
   for (int i = 0; i < rayCount; ++i)
   {
-    if (i == firstRays && (blocked == 0.0 || blocked == total))
+    if (i == firstRays && (seen == 0.0 || seen == total))
     {
       break;
     }
-    blocked += rays[i].z *
-      (facesPoint(point, kernelScale, rays[i].xy) ? marchRay(point, rays[i].xy, rays[i].w, reach) : 1.0);
-    total += rays[i].z;
+    vec4 ray = texelFetch(rays, ivec2(i, row), 0);
+    total += ray.z;
+    if (allFaces || facesPoint(point, kernelScale, ray.xy))
+    {
+      facing += ray.z;
+      seen += ray.z * (1.0 - marchRay(point, ray.xy, ray.w, reach));
+    }
   }
-  gl_FragData[0] = vec4(weight * (1.0 - blocked / total));
+  gl_FragData[0] = pattern > 1
+    ? vec4(facing > 0.0 ? seen / facing : 0.0, facing / total, 0.0, 0.0)
+    : vec4(weight * seen / total);
 }
