@@ -39,7 +39,7 @@ public:
 
   /**
    * Before the grids of a frame, when the kernels of all their screens have been drawn. On software
-   * rasterisers this waits until they are.
+   * rasterisers this waits until they are: nothing else orders vertex shaders after drawing there.
    */
   bool Begin(vtkOpenGLRenderWindow* window);
 

@@ -40,6 +40,9 @@ void vtkVirtualSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context
     this->BeginStep("filtering");
     this->DrawTiles(context);
   }
+  this->ChangeStatistics().TechniqueCounts = { { "tiles", this->GetNumberOfTiles() },
+    { "tile_kilotexels", this->GetTileTexels() / 1000 }, { "grid_waits", impl.Waits },
+    { "late_grids", impl.Late } };
   this->Resolve(context);
   this->BeginStep("visibility");
 }
@@ -66,8 +69,6 @@ bool vtkVirtualSoftShadowPass::RequestEmitter(
     impl.IsRequested = true;
     done = this->RequestTiles(context, impl.Prepared, impl.PreparedViews);
   }
-  this->ChangeStatistics().TechniqueCounts = { { "grid_waits", impl.Waits },
-    { "late_grids", impl.Late } };
   return done && (!this->Adaptive || !emitter.Request.GetWishes().empty());
 }
 

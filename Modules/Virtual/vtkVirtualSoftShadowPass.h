@@ -244,7 +244,7 @@ private:
     const std::vector<vtkVirtualEmitterState*>& emitters,
     const std::vector<vtkShadowMapView>& views);
   void LookBack(const vtkVirtualEmitterState& emitter);
-  void PlanTiles(double mostTexels);
+  void PlanTiles(const vtkSoftShadowContext& context, double mostTexels);
   void BakeTiles(const vtkSoftShadowContext& context);
   void DrawTiles(const vtkSoftShadowContext& context);
   void Resolve(const vtkSoftShadowContext& context);

@@ -11,6 +11,14 @@
 #include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+// What a tile costs for every pixel of the screen, in texels.
+constexpr double TexelsPerPixel = 6.0;
+// At most, so that large windows do not cost memory.
+constexpr double DearestTile = 1024.0 * 1024.0;
+} // namespace
+
 //------------------------------------------------------------------------------
 bool vtkVirtualSoftShadowPass::BeginVisibility(const vtkSoftShadowContext& context)
 {
@@ -170,13 +178,17 @@ bool vtkVirtualSoftShadowPass::WantsVisibilityAnew()
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualSoftShadowPass::PlanTiles(double mostTexels)
+void vtkVirtualSoftShadowPass::PlanTiles(const vtkSoftShadowContext& context, double mostTexels)
 {
   Internals& impl = *this->Impl;
   vtkVirtualTileTree::Limits limits;
   limits.LargestTile = this->MapSize;
   limits.MostTexels = mostTexels;
   limits.MostTiles = this->MaximumTiles;
+  // Measured with a software rasteriser: a look at a pixel in vain takes as long as a few texels.
+  const double pixels =
+    static_cast<double>(context.Receivers->GetWidth()) * context.Receivers->GetHeight();
+  limits.TileCost = std::min(std::max(limits.TileCost, TexelsPerPixel * pixels), DearestTile);
   if (this->Adaptive)
   {
     const vtkVirtualTileTree::Pyramid& wishes = impl.Current->Request.GetWishes();
@@ -208,7 +220,7 @@ void vtkVirtualSoftShadowPass::BakeTiles(const vtkSoftShadowContext& context)
   vtkVirtualTileMaps::Work work;
   do
   {
-    this->PlanTiles(mostTexels);
+    this->PlanTiles(context, mostTexels);
     work = emitter.Maps.Update(context.Renderer, context.Casters, Internals::GetView(context),
       emitter.Tree.GetTiles(), vtkVirtualTileTree::GridSize);
     impl.DrawCalls += work.DrawCalls;

@@ -8,8 +8,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-// The draw calls and the pass over the screen that every tile costs, as texels.
-constexpr double TileCost = 512.0 * 512.0;
 constexpr int LeastResolution = 32;
 } // namespace
 
@@ -182,11 +180,11 @@ vtkVirtualTileTree::Plan vtkVirtualTileTree::PlanNode(const Node& node, const Li
   if (fits)
   {
     const int resolution = GetResolution(need, limits.LargestTile);
-    best.Cost = TileCost + static_cast<double>(resolution) * resolution;
+    best.Cost = limits.TileCost + static_cast<double>(resolution) * resolution;
     best.Tiles.push_back({ node.X << node.Level, node.Y << node.Level, node.Columns << node.Level,
       node.Rows << node.Level, resolution });
     // Two tiles of the least size are dearer than this one.
-    if (best.Cost <= 2.0 * TileCost)
+    if (best.Cost <= 2.0 * limits.TileCost)
     {
       return best;
     }

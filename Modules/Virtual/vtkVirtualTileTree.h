@@ -68,6 +68,8 @@ public:
     /// Texels of all tiles together, and their number.
     double MostTexels = 268435456.0;
     int MostTiles = 256;
+    /// What every tile costs beside its texels, in texels: draw calls and a pass over the screen.
+    double TileCost = 512.0 * 512.0;
   };
 
   /// Minima over 2 x 2 cells, up to a single one. The GPU does the same.

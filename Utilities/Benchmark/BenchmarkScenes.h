@@ -32,6 +32,12 @@ std::vector<BenchmarkScene> MakeGrowingScenes();
  */
 BenchmarkScene MakeGridScene();
 
+/**
+ * A plant of 625 units with pipes between them, 1.6 million triangles, seen from between the units to
+ * the horizon, in the place of the published models of 1.5 and 2 million (Shen et al. 2011).
+ */
+BenchmarkScene MakePlantScene();
+
 }
 
 #endif

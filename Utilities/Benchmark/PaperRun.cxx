@@ -21,6 +21,8 @@ namespace softshadows
 namespace
 {
 
+/// Seconds; a frame that takes longer is timed once, of a table that says how many frames it wants.
+constexpr double LongestOfFew = 1.0;
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
 
 //--------------------------------------------------------------------------------------------------
@@ -57,6 +59,12 @@ BenchmarkRunner MakeRunner(const PaperTable& table, const BenchmarkRunner& runne
   settings.HasTruth = table.HasTruth;
   settings.Gaussian = table.Gaussian;
   settings.Pictures = false;
+  if (table.Frames > 0)
+  {
+    settings.Rounds = table.Frames;
+    settings.SecondsPerScene = 0.0;
+    settings.LongestFrame = LongestOfFew;
+  }
   settings.JudgesPictures = std::any_of(table.Columns.begin(), table.Columns.end(),
     [](const PaperColumn& column)
     {
@@ -97,16 +105,19 @@ double SumSteps(const PaperColumn& column, const ContestantResult& contestant)
 }
 
 //--------------------------------------------------------------------------------------------------
-double GetMegabytes(const ContestantResult& contestant)
+double SumCounts(const std::vector<std::string>& names, const ContestantResult& contestant)
 {
+  double sum = 0.0;
+  bool hasAny = false;
   for (const auto& count : contestant.Counts)
   {
-    if (count.first == "bytes_held")
+    if (std::find(names.begin(), names.end(), count.first) != names.end())
     {
-      return static_cast<double>(count.second) / (1024.0 * 1024.0);
+      sum += static_cast<double>(count.second);
+      hasAny = true;
     }
   }
-  return None;
+  return hasAny ? sum : None;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -238,7 +249,9 @@ double MeasureFigure(const PaperColumn& column, const ContestantResult& contesta
     case PaperFigure::PictureSsimPercent:
       return hasPicture ? 100.0 * contestant.PictureErrors.Ssim : None;
     case PaperFigure::Megabytes:
-      return GetMegabytes(contestant);
+      return SumCounts({ "bytes_held" }, contestant) / (1024.0 * 1024.0);
+    case PaperFigure::Count:
+      return SumCounts(column.Steps, contestant);
   }
   return None;
 }

@@ -31,7 +31,8 @@ enum class PaperFigure
   PictureRmse,        ///< Of the lit picture's luminance.
   PicturePsnr,        ///< Decibels, of the lit picture.
   PictureSsimPercent, ///< Of the lit picture.
-  Megabytes           ///< Held by the pass.
+  Megabytes,          ///< Held by the pass.
+  Count               ///< Of what the last frame did or held.
 };
 
 /// Whether figures are compared by difference; by ratio otherwise.
@@ -43,7 +44,7 @@ struct PaperColumn
   PaperFigure Figure = PaperFigure::FramesPerSecond;
   /// By row, NaN where nothing was published; empty if nothing at all was.
   std::vector<double> Published;
-  /// The names of the steps that PaperFigure::Step adds up.
+  /// The names of the steps or counts that PaperFigure::Step or Count adds up.
   std::vector<std::string> Steps;
 };
 
@@ -69,6 +70,8 @@ struct PaperTable
   bool HasTruth = true;
   std::vector<PaperRow> Rows = {};
   std::vector<PaperColumn> Columns = {};
+  /// Frames that are timed of every row, whatever time the run has; 0: as many as it has time for.
+  int Frames = 0;
   /// The row that all are compared with.
   size_t Base = 0;
 };

@@ -175,6 +175,7 @@ std::vector<BenchmarkScene> GetScenes(const BenchmarkOptions& options)
   if (!options.Paper.empty())
   {
     scenes.push_back(MakeGridScene());
+    scenes.push_back(MakePlantScene());
   }
   if (options.Quick && options.Only.empty())
   {

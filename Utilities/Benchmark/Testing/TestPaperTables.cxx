@@ -96,6 +96,29 @@ TEST(PaperTables, HaveThePublishedNumbers)
 }
 
 //--------------------------------------------------------------------------------------------------
+TEST(PaperTables, CountsAreSummedByName)
+{
+  ContestantResult contestant;
+  contestant.Counts = { { "tiles", 3 }, { "bytes_held", 3145728 }, { "late_grids", 4 } };
+  PaperColumn column{ "", PaperFigure::Count, {}, { "tiles", "late_grids" } };
+  EXPECT_EQ(MeasureFigure(column, contestant), 7.0);
+  column.Steps = { "nothing" };
+  EXPECT_TRUE(std::isnan(MeasureFigure(column, contestant)));
+  column.Figure = PaperFigure::Megabytes;
+  EXPECT_EQ(MeasureFigure(column, contestant), 3.0);
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(PaperTables, SlowTablesAreMeasuredWhateverTheBudget)
+{
+  for (const PaperTable& table : GetPaperTables("pvssm"))
+  {
+    EXPECT_GT(table.Frames, 0) << table.Title;
+    EXPECT_LE(table.Width * table.Height, 400 * 300) << table.Title;
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
 TEST(PaperTables, MarkdownShowsTheNumbersOfTheJson)
 {
   const PaperResult result = MakeResult();

@@ -64,7 +64,8 @@ std::vector<std::string> SplitReport(const std::string& report)
   return parts;
 }
 
-Result Draw(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights)
+Result Draw(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights,
+  int debugView = vtkVirtualSoftShadowPass::DEBUG_NONE, int split = 1, double quality = 8.0)
 {
   vtkNew<vtkRenderer> renderer;
   renderer->AutomaticLightCreationOff();
@@ -86,7 +87,9 @@ Result Draw(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights)
   camera->SetViewAngle(30);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkVirtualSoftShadowPass> pass;
-  pass->SetQuality(8.0); // tiles of more than the least cost
+  pass->SetQuality(quality); // tiles of more than the least cost
+  pass->SetDebugView(debugView);
+  pass->SetSplit(split);
   OffscreenWindow window(Width, Height);
   window.Add(renderer);
   UsePass(renderer, pass);
@@ -102,12 +105,45 @@ Result Draw(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights)
   window.Remove(renderer);
   return result;
 }
+
+std::vector<vtkSmartPointer<vtkAreaLight>> ThreeLights()
+{
+  return { MakeLight(1.5, 1.0, 0.02), MakeLight(-3.0, 0.5, 1.0), MakeLight(0.0, -2.0, 0.1) };
+}
+
+double Largest(const Picture& picture, const Picture& expected)
+{
+  double largest = 0.0;
+  for (size_t p = 0; p < expected.Values.size(); ++p)
+  {
+    if (!std::isnan(expected.Values[p]))
+    {
+      largest = std::max<double>(largest, std::abs(picture.Values[p] - expected.Values[p]));
+    }
+  }
+  return largest;
+}
+
+// Of the pixels that both pictures show darker than a lit one.
+double MeanDifference(const Picture& picture, const Picture& other)
+{
+  double sum = 0.0;
+  int pixels = 0;
+  for (size_t p = 0; p < other.Values.size(); ++p)
+  {
+    if (picture.Values[p] < 0.999 && other.Values[p] < 0.999)
+    {
+      sum += picture.Values[p] - other.Values[p];
+      ++pixels;
+    }
+  }
+  return sum / std::max(pixels, 1);
+}
 } // namespace
 
 TEST(VirtualLights, EveryLightHasTilesAndShadowsOfItsOwn)
 {
-  const std::vector<vtkSmartPointer<vtkAreaLight>> lights = { MakeLight(1.5, 1.0, 0.02),
-    MakeLight(-3.0, 0.5, 1.0), MakeLight(0.0, -2.0, 0.1) };
+  const std::vector<vtkSmartPointer<vtkAreaLight>> lights = ThreeLights();
   const Result together = Draw(lights);
   ASSERT_EQ(together.Tiles.size(), lights.size());
   for (size_t i = 0; i < lights.size(); ++i)
@@ -115,17 +151,87 @@ TEST(VirtualLights, EveryLightHasTilesAndShadowsOfItsOwn)
     const Result alone = Draw({ lights[i] });
     ASSERT_EQ(alone.Tiles.size(), 1u);
     EXPECT_EQ(together.Tiles[i], alone.Tiles[0]) << "light " << i;
-    double largest = 0.0;
-    for (size_t p = 0; p < alone.Visibilities[0].Values.size(); ++p)
-    {
-      const float expected = alone.Visibilities[0].Values[p];
-      if (!std::isnan(expected))
-      {
-        largest =
-          std::max<double>(largest, std::abs(together.Visibilities[i].Values[p] - expected));
-      }
-    }
-    EXPECT_LE(largest, 1e-6) << "light " << i;
+    EXPECT_LE(Largest(together.Visibilities[i], alone.Visibilities[0]), 1e-6) << "light " << i;
   }
   EXPECT_NE(together.Tiles[0], together.Tiles[1]) << "nothing to mix up";
+}
+
+TEST(VirtualLights, DebugViewsShowEveryLightItsOwn)
+{
+  using Pass = vtkVirtualSoftShadowPass;
+  const std::vector<vtkSmartPointer<vtkAreaLight>> lights = ThreeLights();
+  for (const int view : { Pass::DEBUG_TILES, Pass::DEBUG_RESOLUTION, Pass::DEBUG_KERNEL })
+  {
+    const Result together = Draw(lights, view);
+    for (size_t i = 0; i < lights.size(); ++i)
+    {
+      const Picture alone = Draw({ lights[i] }, view).Visibilities[0];
+      EXPECT_LE(Largest(together.Visibilities[i], alone), 1e-6)
+        << "view " << view << " light " << i;
+    }
+    // Light 1 is fifty times as wide as light 0.
+    const double brighter = MeanDifference(together.Visibilities[1], together.Visibilities[0]);
+    EXPECT_TRUE(view != Pass::DEBUG_KERNEL || brighter > 0.05) << brighter;
+  }
+}
+
+TEST(VirtualLights, TheDebugViewOfResolutionsIsLogarithmic)
+{
+  // Half the texels along an edge: sizes of twice, a sixteenth brighter.
+  using Pass = vtkVirtualSoftShadowPass;
+  const Picture fine = Draw({ ThreeLights()[1] }, Pass::DEBUG_RESOLUTION).Visibilities[0];
+  const Picture half = Draw({ ThreeLights()[1] }, Pass::DEBUG_RESOLUTION, 1, 4.0).Visibilities[0];
+  EXPECT_NEAR(MeanDifference(half, fine), 0.0625, 1e-4);
+}
+
+TEST(VirtualLights, TheTilesOfADebugViewAreThoseOfTheReport)
+{
+  using Pass = vtkVirtualSoftShadowPass;
+  const Result shown = Draw({ ThreeLights()[0] }, Pass::DEBUG_TILES);
+  const auto tiles = std::count(shown.Tiles[0].begin(), shown.Tiles[0].end(), '\n') - 1;
+  ASSERT_GT(tiles, 1);
+  int pixels = 0;
+  int found = 0;
+  for (const float value : shown.Visibilities[0].Values)
+  {
+    bool isShade = false;
+    for (int tile = 0; tile < tiles; ++tile)
+    {
+      const double shade = std::fmod(0.2 + 0.618033988 * tile, 0.9) + 0.05;
+      isShade = isShade || std::abs(value - shade) < 1e-4;
+    }
+    pixels += value < 0.999 ? 1 : 0;
+    found += value < 0.999 && isShade ? 1 : 0;
+  }
+  // Kernels over a border show the mean of two tiles.
+  EXPECT_GT(pixels, 100);
+  EXPECT_GT(found, 0.8 * pixels) << tiles << " tiles";
+}
+
+TEST(VirtualLights, ASplitLightShowsTheMeanOfItsParts)
+{
+  // Against four lights of half the size in the places of the parts.
+  using Pass = vtkVirtualSoftShadowPass;
+  const vtkSmartPointer<vtkAreaLight> whole = MakeLight(0.5, 0.25, 1.0);
+  whole->SetFocalPoint(0.5, 0.25, 0.0); // its plane is parallel to the floor
+  const Picture split = Draw({ whole }, Pass::DEBUG_KERNEL, 2).Visibilities[0];
+  std::vector<vtkSmartPointer<vtkAreaLight>> quarters;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double x = 0.5 + (i % 2 ? 0.25 : -0.25);
+    const double y = 0.25 + (i / 2 ? 0.25 : -0.25);
+    quarters.push_back(MakeLight(x, y, 0.5));
+    quarters.back()->SetFocalPoint(x, y, 0.0);
+  }
+  const std::vector<Picture> parts = Draw(quarters, Pass::DEBUG_KERNEL).Visibilities;
+  Picture mean = parts[0];
+  int pixels = 0;
+  for (size_t p = 0; p < mean.Values.size(); ++p)
+  {
+    mean.Values[p] =
+      0.25f * (parts[0].Values[p] + parts[1].Values[p] + parts[2].Values[p] + parts[3].Values[p]);
+    pixels += mean.Values[p] < 0.999 ? 1 : 0;
+  }
+  EXPECT_GT(pixels, 100);
+  EXPECT_LT(std::abs(MeanDifference(split, mean)), 0.005);
 }
