@@ -95,6 +95,36 @@ std::vector<unsigned char> FindCompared(const std::vector<float>& truth,
   return compared;
 }
 
+//--------------------------------------------------------------------------------------------------
+// Images are top row first, tiles start at the bottom. NaN compares with nothing.
+double FindWorstTile(int width, int height, const std::vector<float>& truth,
+  const std::vector<float>& estimate, const std::vector<unsigned char>& leftOut)
+{
+  constexpr int edge = 32;
+  const int columns = (width + edge - 1) / edge;
+  const int rows = (height + edge - 1) / edge;
+  std::vector<double> squares(static_cast<size_t>(columns) * rows, 0.0);
+  std::vector<int> counts(squares.size(), 0);
+  for (size_t i = 0; i < truth.size(); ++i)
+  {
+    const double error = double(estimate[i]) - truth[i];
+    if (std::isnan(error) || (!leftOut.empty() && leftOut[i]))
+    {
+      continue;
+    }
+    const size_t row = (height - 1 - i / width) / edge;
+    const size_t tile = row * columns + i % width / edge;
+    squares[tile] += error * error;
+    ++counts[tile];
+  }
+  double worst = 0.0;
+  for (size_t tile = 0; tile < squares.size(); ++tile)
+  {
+    worst = std::max(worst, squares[tile] / std::max(counts[tile], edge * edge / 4));
+  }
+  return std::sqrt(worst);
+}
+
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -129,6 +159,8 @@ VisibilityErrors MeasureErrors(int width, int height, const std::vector<float>& 
   }
   errors.All = all.Finish();
   errors.Penumbra = penumbra.Finish();
+  errors.WorstTile = FindWorstTile(width, height, truth, estimate, leftOut);
+  errors.WorstTileWithLeftOut = FindWorstTile(width, height, truth, estimate, {});
   return errors;
 }
 

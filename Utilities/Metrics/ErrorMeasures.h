@@ -53,6 +53,15 @@ struct VisibilityErrors
   std::int64_t OnlyInTruth = 0;
   std::int64_t OnlyInEstimate = 0;
   ///@}
+  ///@{
+  /**
+   * Root mean square error of the worst tile of 32 x 32 pixels, as vtkSoftShadowPass estimates its own:
+   * tiles start in the lower left corner, and one with few pixels counts as a quarter full. Over the
+   * compared pixels, and with those that the caller left out.
+   */
+  double WorstTile = 0.0;
+  double WorstTileWithLeftOut = 0.0;
+  ///@}
 };
 
 /**

@@ -47,6 +47,8 @@ Json ToJson(const VisibilityErrors& errors)
   json["penumbra"] = ToJson(errors.Penumbra);
   json["light_leaks"] = errors.LightLeaks;
   json["false_shadows"] = errors.FalseShadows;
+  json["worst_tile"] = errors.WorstTile;
+  json["worst_tile_with_left_out"] = errors.WorstTileWithLeftOut;
   json["left_out"] = errors.LeftOut;
   json["only_in_reference"] = errors.OnlyInTruth;
   json["only_in_candidate"] = errors.OnlyInEstimate;
@@ -68,6 +70,8 @@ void PrintErrors(std::ostream& os, const VisibilityErrors& errors)
   }
   name("light leaks") << std::setw(12) << errors.LightLeaks << '\n';
   name("false shadows") << std::setw(12) << errors.FalseShadows << '\n';
+  name("worst tile") << std::setw(12) << errors.WorstTile << "  (with silhouettes "
+                     << errors.WorstTileWithLeftOut << ")\n";
   name("left out") << std::setw(12) << errors.LeftOut << "  (silhouettes)\n";
   name("only in reference") << std::setw(12) << errors.OnlyInTruth << '\n';
   name("only in candidate") << std::setw(12) << errors.OnlyInEstimate << '\n';

@@ -52,6 +52,30 @@ TEST(ErrorMeasures, AreThoseWorkedOutByHand)
 }
 
 //--------------------------------------------------------------------------------------------------
+TEST(ErrorMeasures, WorstTileStartsAtTheLowerLeft)
+{
+  // 64 x 40 pixels: tiles of 32 x 32 in the lower rows, 32 x 8 in the upper eight.
+  Image truth(64 * 40, 0.5F);
+  Image estimate = truth;
+  std::vector<unsigned char> leftOut(truth.size(), 0);
+  for (int x = 32; x < 64; ++x)
+  {
+    estimate[7 * 64 + x] = 0.75F; // a row of an upper tile, an eighth of what it counts as
+    estimate[8 * 64 + x] = 0.75F; // of a lower tile, a thirty-second
+  }
+  estimate[20 * 64] = 0.0F; // the only pixel of its tile with an error, left out
+  leftOut[20 * 64] = 1;
+  const VisibilityErrors errors = MeasureErrors(64, 40, truth, estimate, leftOut);
+  EXPECT_DOUBLE_EQ(errors.WorstTile, 0.25 * std::sqrt(0.125));
+  EXPECT_DOUBLE_EQ(errors.WorstTileWithLeftOut, 0.25 * std::sqrt(0.125));
+  estimate[20 * 64] = 4.5F;
+  EXPECT_DOUBLE_EQ(
+    MeasureErrors(64, 40, truth, estimate, leftOut).WorstTileWithLeftOut, 4.0 / 32.0);
+  truth.assign(truth.size(), NaN);
+  EXPECT_EQ(MeasureErrors(64, 40, truth, estimate).WorstTile, 0.0);
+}
+
+//--------------------------------------------------------------------------------------------------
 TEST(ErrorMeasures, PercentileLeavesOutOnePixelInAHundred)
 {
   Image truth(200, 0.0F);
