@@ -49,10 +49,8 @@ void main()
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
   vec2 center = gl_FragCoord.xy * texel;
   vec2 extent = textureLod(penumbrae, vec3(center, 0.0), 0.0).xy;
-  float visibility = 1.0;
-  if (extent.x >= 0.0)
-  {
-    visibility = blur(receiver, center, extent * blurAxis);
-  }
+  // Without a blocker there is no penumbra, but a surface that faces away from the light is dark.
+  float visibility =
+    extent.x < 0.0 ? visibilityAt(center) : blur(receiver, center, extent * blurAxis);
   gl_FragData[0] = vec4(weight * visibility);
 }
