@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 
@@ -50,6 +51,7 @@ int vtkSoftShadowAccumulator::Begin(
   }
   if (made < 0)
   {
+    this->ReleaseTextures(window);
     return -1;
   }
   if (!this->Framebuffer)
@@ -143,7 +145,7 @@ void vtkSoftShadowAccumulator::Mix(vtkOpenGLRenderWindow* window, vtkShadowTextu
 
 //------------------------------------------------------------------------------
 std::vector<float> vtkSoftShadowAccumulator::ReadChanges(
-  vtkOpenGLRenderWindow* window, int layer, float scale)
+  vtkOpenGLRenderWindow* window, vtkShadowReceivers* receivers, int layer, float scale)
 {
   this->Bind(window, this->Tiles, layer);
   if (!this->TilesShader.Use(window))
@@ -151,6 +153,7 @@ std::vector<float> vtkSoftShadowAccumulator::ReadChanges(
     return {};
   }
   vtkShaderProgram* program = this->TilesShader.GetProgram();
+  receivers->Activate(program);
   program->SetUniformf("share", scale);
   program->SetUniformf("layer", static_cast<float>(layer));
   program->SetUniformi("base", this->Textures[BASE]->Activate());
@@ -161,6 +164,7 @@ std::vector<float> vtkSoftShadowAccumulator::ReadChanges(
   {
     texture->Deactivate();
   }
+  receivers->Deactivate();
   return this->Tiles->ReadLayer(layer);
 }
 
@@ -182,19 +186,26 @@ int vtkSoftShadowAccumulator::GetNumberOfBuilds() const
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowAccumulator::ReleaseGraphicsResources(vtkWindow* window)
+void vtkSoftShadowAccumulator::ReleaseTextures(vtkWindow* window)
 {
   for (const auto& texture : this->Textures)
   {
     texture->ReleaseGraphicsResources(window);
   }
   this->Tiles->ReleaseGraphicsResources(window);
-  this->MixShader.ReleaseGraphicsResources(window);
-  this->TilesShader.ReleaseGraphicsResources(window);
+  // What is attached to a framebuffer lives as long as that does.
   if (this->Framebuffer)
   {
     glDeleteFramebuffers(1, &this->Framebuffer);
     this->Framebuffer = 0;
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->ReleaseTextures(window);
+  this->MixShader.ReleaseGraphicsResources(window);
+  this->TilesShader.ReleaseGraphicsResources(window);
 }
 VTK_ABI_NAMESPACE_END

@@ -22,6 +22,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
+class vtkShadowReceivers;
 class vtkShadowTextureArray;
 class vtkWindow;
 
@@ -55,11 +56,19 @@ public:
   void Show(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* visibility, int layer,
     float share, float scale, bool fromHeld);
 
-  /// Per tile, the mean square of scale * sum - held. Waits for the GPU; a value per 1024 pixels.
-  std::vector<float> ReadChanges(vtkOpenGLRenderWindow* window, int layer, float scale);
+  /**
+   * Per tile, the mean square of scale * sum - held over pixels that are not at silhouettes (1 / depth
+   * differs by more than one percent from the mean of two opposite neighbours', or one of these shows
+   * no surface). Waits for the GPU; a value per 1024 pixels.
+   */
+  std::vector<float> ReadChanges(
+    vtkOpenGLRenderWindow* window, vtkShadowReceivers* receivers, int layer, float scale);
 
   vtkTypeInt64 GetBytes() const;
   int GetNumberOfBuilds() const;
+
+  /// Frees the textures, and keeps the shaders for the next time.
+  void ReleaseTextures(vtkWindow* window);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -230,6 +230,10 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
     return;
   }
   impl.Schedule.Reset();
+  if (!this->Progressive)
+  {
+    this->ReleaseProgress(GetWindow(s));
+  }
   ScopedState scope(GetWindow(s)->GetState());
   // The mappers' programs sample the visibility. Where they bake or draw receivers it is not read, but
   // its sampler must not share a unit with a sampler of another type: OpenGL draws nothing then.
@@ -408,11 +412,7 @@ void vtkSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   impl.ConstantShader.ReleaseGraphicsResources(window);
   impl.PointShader.ReleaseGraphicsResources(window);
   impl.Accumulator.ReleaseGraphicsResources(window);
-  for (const auto& maps : impl.PointMaps)
-  {
-    maps.second->ReleaseGraphicsResources(window);
-  }
-  impl.PointMaps.clear();
+  impl.PointMaps->ReleaseGraphicsResources(window);
   impl.Schedule.Reset();
   for (const auto& maps : impl.Maps)
   {

@@ -154,7 +154,9 @@ public:
    * its points, not on that of the frames. Any change starts it again. Default is off.
    *
    * Frames are the application's to draw: while GetRefining() is true another one improves the
-   * picture. Afterwards a frame costs what it costs without progressive mode.
+   * picture. Afterwards a frame costs what it costs without progressive mode, and what the mean needed
+   * is given back. Where there is no memory for finer maps the mean goes on with the last ones, where
+   * there is none for any the technique's picture stays, with a warning.
    */
   vtkSetMacro(Progressive, bool);
   vtkGetMacro(Progressive, bool);
@@ -188,7 +190,8 @@ public:
 
   /**
    * Standard error of the mean in the worst tile: a root mean square over its pixels, that of the
-   * points and that of the maps' texels. 1 before it is known.
+   * points and that of the maps' texels. Pixels at silhouettes are left out: there it hangs on a hair
+   * which surface is seen. 1 before it is known.
    */
   double GetEstimatedError() const;
 
@@ -414,8 +417,12 @@ private:
   void Refine(const vtkRenderState* s);
   bool BeginProgress(vtkOpenGLRenderWindow* window);
   void AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
-  void AddPoint(vtkSoftShadowContext& context, int layer, int index);
+  bool AddRun(vtkSoftShadowContext& context, int run);
+  bool AddPoint(vtkSoftShadowContext& context, int layer, int index);
   void LookAtMean(vtkOpenGLRenderWindow* window);
+  void LoseMaps(vtkOpenGLRenderWindow* window);
+  void ClearMean(vtkOpenGLRenderWindow* window);
+  void ReleaseProgress(vtkOpenGLRenderWindow* window);
   void DrawMarks(const vtkSoftShadowContext& context, const vtkShadowMapView* view);
 };
 

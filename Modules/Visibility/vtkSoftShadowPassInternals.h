@@ -29,7 +29,6 @@
 #include "vtkSoftShadowPointFS.h"
 #include "vtkSoftShadowProofFS.h"
 
-#include <map>    // For maps by size
 #include <memory> // For light maps
 #include <string> // For reasons
 #include <vector> // For lists
@@ -81,8 +80,8 @@ public:
   /// The running mean while nothing changes.
   vtkSoftShadowSchedule Schedule;
   vtkSoftShadowAccumulator Accumulator;
-  std::map<int, vtkNew<vtkShadowDepthMaps>> PointMaps; // of one point, by size
-  std::vector<double> PointWeights;                    // in the sum, per casting light
+  vtkNew<vtkShadowDepthMaps> PointMaps; // of one point; sizes follow each other
+  std::vector<double> PointWeights;     // in the sum, per casting light
   vtkShadowShader PointShader{ vtkSoftShadowPointFS };
   bool HasNews = false; // it has just converged
 

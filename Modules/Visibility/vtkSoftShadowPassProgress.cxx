@@ -83,6 +83,17 @@ void vtkSoftShadowPass::Refine(const vtkRenderState* s)
   }
   ++impl.Statistics.ProgressiveFrames;
   window->GetState()->PopFramebufferBindings();
+  if (schedule.IsEnded())
+  {
+    this->ReleaseProgress(window); // the mean stands in the visibilities
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::ReleaseProgress(vtkOpenGLRenderWindow* window)
+{
+  this->Impl->Accumulator.ReleaseTextures(window);
+  this->Impl->PointMaps->ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------
@@ -116,15 +127,12 @@ void vtkSoftShadowPass::AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow
   for (int left = this->ProgressivePoints; left > 0 && !schedule.IsEnded();)
   {
     const int run = schedule.GetRun(left);
-    for (const Internals::LitLight& light : impl.Lights)
-    {
-      for (int i = 0; light.Casts && i < run; ++i)
-      {
-        this->AddPoint(context, light.Layer, schedule.GetCount() + i);
-      }
-    }
     left -= run;
-    if (schedule.Advance(run))
+    if (!this->AddRun(context, run))
+    {
+      this->LoseMaps(window);
+    }
+    else if (schedule.Advance(run))
     {
       this->LookAtMean(window);
     }
@@ -132,19 +140,36 @@ void vtkSoftShadowPass::AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowPass::AddPoint(vtkSoftShadowContext& context, int layer, int index)
+bool vtkSoftShadowPass::AddRun(vtkSoftShadowContext& context, int run)
+{
+  Internals& impl = *this->Impl;
+  for (const Internals::LitLight& light : impl.Lights)
+  {
+    for (int i = 0; light.Casts && i < run; ++i)
+    {
+      if (!this->AddPoint(context, light.Layer, impl.Schedule.GetCount() + i))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::AddPoint(vtkSoftShadowContext& context, int layer, int index)
 {
   Internals& impl = *this->Impl;
   const std::vector<vtkSoftShadowLightMaps::Face>& faces = impl.Maps[layer]->GetFaces();
   const vtkShadowEmitter& light = faces.front().Emitter;
   if (index > 0 && !light.HasExtent())
   {
-    return; // all its points are the first
+    return true; // all its points are the first
   }
   const int weights =
     this->HasGaussianWeights() ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN;
   const int mapSize = impl.Schedule.GetMapSize();
-  vtkShadowDepthMaps* maps = impl.PointMaps[mapSize];
+  vtkShadowDepthMaps* maps = impl.PointMaps;
   for (size_t f = 0; f < faces.size(); ++f)
   {
     context.Emitter = faces[f].Emitter;
@@ -154,14 +179,17 @@ void vtkSoftShadowPass::AddPoint(vtkSoftShadowContext& context, int layer, int i
     if (!point.Views.empty())
     {
       const int baked = maps->Bake(context.Renderer, context.Casters, point.Views, mapSize);
-      impl.Statistics.MapsBaked += std::max(baked, 0);
-      impl.Statistics.TexelsDrawn +=
-        static_cast<vtkTypeInt64>(std::max(baked, 0)) * mapSize * mapSize;
+      if (baked < 0)
+      {
+        return false;
+      }
+      impl.Statistics.MapsBaked += baked;
+      impl.Statistics.TexelsDrawn += static_cast<vtkTypeInt64>(baked) * mapSize * mapSize;
     }
     impl.Accumulator.BeginSum(context.Window, layer);
     if (!impl.PointShader.Use(context.Window))
     {
-      return;
+      return false;
     }
     vtkShaderProgram* program = impl.PointShader.GetProgram();
     program->SetUniformf("litWeight", point.LitWeight);
@@ -178,6 +206,7 @@ void vtkSoftShadowPass::AddPoint(vtkSoftShadowContext& context, int layer, int i
         point.LitWeight + (point.Weights.empty() ? 0.0f : point.Weights.front());
     }
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -189,7 +218,7 @@ void vtkSoftShadowPass::LookAtMean(vtkOpenGLRenderWindow* window)
   for (int layer = 0; layer < layers && impl.Schedule.NeedsTiles(); ++layer)
   {
     const std::vector<float> tiles =
-      impl.Accumulator.ReadChanges(window, layer, impl.GetMeanScale(layer));
+      impl.Accumulator.ReadChanges(window, impl.Receivers, layer, impl.GetMeanScale(layer));
     changes.insert(changes.end(), tiles.begin(), tiles.end());
   }
   const vtkSoftShadowSchedule::NextType next = impl.Schedule.Look(changes);
@@ -204,8 +233,33 @@ void vtkSoftShadowPass::LookAtMean(vtkOpenGLRenderWindow* window)
   }
   if (next == vtkSoftShadowSchedule::HOLD_AND_CLEAR)
   {
-    impl.Accumulator.Clear(window);
-    impl.PointWeights.assign(layers, 0.0);
+    this->ClearMean(window);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::ClearMean(vtkOpenGLRenderWindow* window)
+{
+  this->Impl->Accumulator.Clear(window);
+  this->Impl->PointWeights.assign(this->Impl->Statistics.LightsCasting, 0.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::LoseMaps(vtkOpenGLRenderWindow* window)
+{
+  Internals& impl = *this->Impl;
+  const int size = impl.Schedule.GetMapSize();
+  if (impl.Schedule.LoseMaps())
+  {
+    vtkWarningMacro("There is no memory for a depth map of "
+      << size << " x " << size << " texels: the mean goes on with " << impl.Schedule.GetMapSize()
+      << ".");
+  }
+  else
+  {
+    vtkWarningMacro("There is no memory for a depth map of "
+      << size << " x " << size << " texels: the picture stays as it was before.");
+  }
+  this->ClearMean(window);
 }
 VTK_ABI_NAMESPACE_END

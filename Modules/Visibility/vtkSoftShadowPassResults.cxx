@@ -179,12 +179,8 @@ const vtkSoftShadowStatistics& vtkSoftShadowPass::GetStatistics()
     statistics.BytesHeld += maps->GetBytes();
     drawCalls += maps->GetNumberOfDrawCalls();
   }
-  for (const auto& maps : impl.PointMaps)
-  {
-    statistics.BytesHeld += maps.second->GetTexture()->GetBytes();
-    drawCalls += maps.second->GetNumberOfDrawCalls();
-  }
-  statistics.DrawCalls = drawCalls;
+  statistics.BytesHeld += impl.PointMaps->GetTexture()->GetBytes();
+  statistics.DrawCalls = drawCalls + impl.PointMaps->GetNumberOfDrawCalls();
   statistics.ShaderBuilds = impl.ProofShader.GetNumberOfBuilds() +
     impl.ConstantShader.GetNumberOfBuilds() + impl.PointShader.GetNumberOfBuilds() +
     impl.Accumulator.GetNumberOfBuilds() + this->GetTechniqueShaderBuilds();

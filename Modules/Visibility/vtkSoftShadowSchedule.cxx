@@ -25,18 +25,37 @@ void vtkSoftShadowSchedule::Start(int mapSize, int largestMapSize, double tolera
 void vtkSoftShadowSchedule::Finish(bool converged)
 {
   this->Converged = converged;
-  this->Exhausted = !converged;
+  this->Exhausted = this->Failed = !converged;
   this->EstimatedError = converged ? 0.0 : 1.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowSchedule::LoseMaps()
+{
+  if (!this->Grown || this->Lost)
+  {
+    this->Finish(false);
+    return false;
+  }
+  // The floor is that of the last size, and held the mean of its first points: the next look compares
+  // points, as if the maps had never grown.
+  this->Lost = true;
+  this->HasFloor = true;
+  this->MapSize /= 2;
+  this->Count = 0;
+  this->Goal = 2 * FirstPoints;
+  return true;
 }
 
 //------------------------------------------------------------------------------
 float vtkSoftShadowSchedule::GetShare() const
 {
-  if (this->Probing || this->HasFloor || this->IsEnded())
+  if (this->Failed || (this->Probing && !this->IsEnded()))
   {
-    return this->Probing && !this->IsEnded() ? 0.0f : 1.0f;
+    return 0.0f;
   }
-  return static_cast<float>(this->Count) / static_cast<float>(FirstPoints);
+  const int most = this->IsEnded() ? FirstPoints : std::min(this->Count, FirstPoints);
+  return static_cast<float>(most) / static_cast<float>(FirstPoints);
 }
 
 //------------------------------------------------------------------------------

@@ -42,8 +42,15 @@ public:
   void Reset() { *this = vtkSoftShadowSchedule(); }
 
   bool IsStarted() const { return this->MapSize > 0; }
-  /// Ends at once: with nothing left to do, or in failure.
+  /// Ends at once: with nothing left to do, or in failure. What is shown stays without the sum.
   void Finish(bool converged);
+
+  /**
+   * For maps of GetMapSize() texels there is no memory. If smaller ones had been looked at, they are
+   * kept for good and the sum begins anew with them: true. Else it ends in failure: false. Either way
+   * what the sum holds is not shown.
+   */
+  bool LoseMaps();
 
   bool IsEnded() const { return this->Converged || this->Exhausted; }
   bool IsConverged() const { return this->Converged; }
@@ -93,6 +100,8 @@ private:
   bool Probing = true; // with maps of half the size
   bool Grown = false;  // the maps
   bool HasFloor = false;
+  bool Lost = false;   // finer maps
+  bool Failed = false; // the sum is worth nothing
   bool Converged = false;
   bool Exhausted = false;
   double EstimatedError = 1.0;

@@ -2,13 +2,45 @@
 //VTK::Output::Dec
 
 // Per tile of pixels, the mean square of the difference between two visibilities. Few pixels with a
-// value count as a quarter of the tile, so that a single one decides nothing.
+// value count as a quarter of the tile, so that a single one decides nothing. Pixels at silhouettes
+// are left out: which of two surfaces they show hangs on a hair, and no mean over a light tells.
+
+//SoftShadows::Include vtkShadowReceiver
 
 uniform sampler2DArray base; // negative: no value
 uniform sampler2DArray held;
 uniform sampler2DArray sum;
 uniform float layer;
 uniform float share; // of the sum
+
+// 1 / depth, which is an affine function of the pixel on any plane; 0 where there is no surface.
+float inverseDepth(ivec2 pixel)
+{
+  vec4 position = texelFetch(receiverPosition, pixel, 0);
+  bool isSurface = position.w == SOFT_SHADOW_RECEIVES || position.w == SOFT_SHADOW_SURFACE;
+  return isSurface ? -1.0 / position.z : 0.0;
+}
+
+// Whether 1 / depth breaks along the line through the pixel and its neighbours to both sides.
+bool breaks(ivec2 pixel, ivec2 direction, ivec2 size)
+{
+  ivec2 low = min(pixel - direction, pixel + direction);
+  ivec2 high = max(pixel - direction, pixel + direction);
+  if (any(lessThan(low, ivec2(0))) || any(greaterThanEqual(high, size)))
+  {
+    return false;
+  }
+  float before = inverseDepth(pixel - direction);
+  float after = inverseDepth(pixel + direction);
+  float here = inverseDepth(pixel);
+  return before == 0.0 || after == 0.0 || abs(0.5 * (before + after) / here - 1.0) > 0.01;
+}
+
+bool isSilhouette(ivec2 pixel, ivec2 size)
+{
+  return breaks(pixel, ivec2(1, 0), size) || breaks(pixel, ivec2(0, 1), size) ||
+    breaks(pixel, ivec2(1, 1), size) || breaks(pixel, ivec2(1, -1), size);
+}
 
 void main()
 {
@@ -22,7 +54,7 @@ void main()
     for (int x = low.x; x < high.x; ++x)
     {
       ivec3 pixel = ivec3(x, y, int(layer));
-      if (texelFetch(base, pixel, 0).r > -0.5)
+      if (texelFetch(base, pixel, 0).r > -0.5 && !isSilhouette(pixel.xy, size))
       {
         float change = share * texelFetch(sum, pixel, 0).r - texelFetch(held, pixel, 0).r;
         squares += change * change;

@@ -96,3 +96,50 @@ TEST(SoftShadowSchedule, GivesUpWhereOnlyMapsAreInTheWay)
   EXPECT_FALSE(schedule.IsConverged());
   EXPECT_NEAR(schedule.GetEstimatedError(), 0.0475, 1e-3);
 }
+
+//------------------------------------------------------------------------------
+TEST(SoftShadowSchedule, GoesOnWithTheLastMapsWhereFinerOnesAreLost)
+{
+  Schedule schedule;
+  schedule.Start(512, 2048, 0.01);
+  DrawToLook(schedule, 16);
+  schedule.Look({});
+  DrawToLook(schedule, 16);
+  EXPECT_EQ(schedule.Look({ 4e-5f }), Schedule::HOLD_AND_CLEAR);
+  EXPECT_EQ(schedule.GetMapSize(), 1024);
+  schedule.Advance(16);
+  EXPECT_TRUE(schedule.LoseMaps());
+  EXPECT_EQ(schedule.GetMapSize(), 512);
+  EXPECT_EQ(schedule.GetCount(), 0);
+  EXPECT_EQ(schedule.GetShare(), 0.0f) << "what is held is shown";
+  EXPECT_TRUE(schedule.IsHeldShown());
+  schedule.Advance(32);
+  EXPECT_EQ(schedule.GetShare(), 0.5f);
+  // The floor of the last size, 1.5 times 0.0063, stands: no look compares its own maps with themselves.
+  EXPECT_EQ(DrawToLook(schedule, 16), 2 * Schedule::FirstPoints - 32);
+  EXPECT_EQ(schedule.Look({ 0.0f }), Schedule::END);
+  EXPECT_NEAR(schedule.GetEstimatedError(), 0.00949, 1e-5);
+  EXPECT_TRUE(schedule.IsConverged());
+}
+
+//------------------------------------------------------------------------------
+TEST(SoftShadowSchedule, FailsWithoutAnyMaps)
+{
+  for (const int looks : { 0, 1 })
+  {
+    Schedule schedule;
+    schedule.Start(512, 2048, 0.01);
+    for (int look = 0; look < looks; ++look)
+    {
+      DrawToLook(schedule, 16);
+      schedule.Look({});
+    }
+    schedule.Advance(16);
+    EXPECT_FALSE(schedule.LoseMaps());
+    EXPECT_TRUE(schedule.IsEnded());
+    EXPECT_FALSE(schedule.IsConverged());
+    EXPECT_EQ(schedule.GetEstimatedError(), 1.0);
+    EXPECT_EQ(schedule.GetShare(), 0.0f) << "the technique's own picture is shown";
+    EXPECT_FALSE(schedule.IsHeldShown());
+  }
+}
