@@ -25,7 +25,7 @@ document=Documentation/SpeedAgainstError.md
 failures=()
 
 # Shares of the papers' time, in percent.
-papers=(sssm:38 pvssm:18 sbfs:20 cascaded:12 estimators:9 pcss:3)
+papers=(sssm:32 pvssm:17 sbfs:18 cascaded:12 estimators:18 pcss:3)
 
 try() {
     local name=$1
