@@ -11,7 +11,8 @@
  *  2. kernel shapes: per pixel, the mean linear depth of its blockers, the light's image at that
  * depth, convolved with the pixel's footprint on the map (antialiasing without samples);
  *  3. prediction: how many texels that kernel needs, from its size on the screen (a user study),
- * gathered in a grid of 64 x 64 cells and cut into tiles of at most MapSize texels along an edge;
+ * gathered in a grid of 64 x 64 cells and cut into tiles of at most MapSize texels along an edge. Steps
+ * 2 and 3 are drawn for all emitters before the CPU reads the first grid;
  *  4. tiles: each draws the casters that can touch it, and adds what it shows of each kernel, V A and
  * A. Texels are squares of constant depth, weighted by their exact overlap with the kernel: no bands;
  *  5. V = V A / A, once.

@@ -33,7 +33,7 @@ std::vector<BenchmarkScene> MakeGrowingScenes();
 BenchmarkScene MakeGridScene();
 
 /**
- * A plant of 625 units with pipes between them, 1.6 million triangles, seen from between the units to
+ * A plant of 625 units with pipes between them, 1.7 million triangles, seen over its near edge to
  * the horizon, in the place of the published models of 1.5 and 2 million (Shen et al. 2011).
  */
 BenchmarkScene MakePlantScene();

@@ -6,7 +6,7 @@
  *
  * The published machines are graphics cards of 2005 to 2023 and the scenes are not ours, so figures
  * are compared by their ratio to a row of their table, decibels and percent by their difference.
- * Image sizes, map sizes, kernels and numbers of samples are the published ones. Columns without published
+ * Image sizes (but for pvssm's, which are smaller), map sizes, kernels and numbers of samples are the published ones. Columns without published
  * figures stand beside them for their own sake.
  */
 

@@ -112,7 +112,7 @@ PaperTable MakeSoftTable()
 // The same for a model as large as the published ones, and table 2 for it.
 PaperTable MakePlantTable(const std::string& quality)
 {
-  PaperTable table{ "Shen et al. 2011, figure 10: soft over hard, 1.6 million triangles, quality " +
+  PaperTable table{ "Shen et al. 2011, figure 10: soft over hard, 1.7 million triangles, quality " +
       quality,
     "Hard, a small and a large light, all else equal; published is figure 10 for the first and the "
     "third.",

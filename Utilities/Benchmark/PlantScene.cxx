@@ -51,7 +51,7 @@ vtkSmartPointer<vtkPolyData> MakeTube(
 }
 
 //--------------------------------------------------------------------------------------------------
-// A vessel between four posts, a wheel on top of it and a pipe to the next: about 2600 triangles.
+// A vessel between four posts, a wheel on top of it and a pipe to the next: 2720 triangles.
 vtkSmartPointer<vtkPolyData> MakeUnit()
 {
   vtkNew<vtkAppendPolyData> unit;

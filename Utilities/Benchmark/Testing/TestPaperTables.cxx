@@ -1,8 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Published tables: their form, and that all reports of one show the same numbers.
+#include "BenchmarkScenes.h"
 #include "HtmlReport.h"
 #include "PaperRun.h"
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkMapper.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
 
 #include <gtest/gtest.h>
 
@@ -116,6 +123,21 @@ TEST(PaperTables, SlowTablesAreMeasuredWhateverTheBudget)
     EXPECT_GT(table.Frames, 0) << table.Title;
     EXPECT_LE(table.Width * table.Height, 400 * 300) << table.Title;
   }
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(PaperTables, ThePlantIsAsLargeAsThePublishedModels)
+{
+  const vtkSmartPointer<vtkRenderer> renderer = MakePlantScene().Make();
+  vtkIdType triangles = 0;
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator iterator;
+  actors->InitTraversal(iterator);
+  while (vtkActor* actor = actors->GetNextActor(iterator))
+  {
+    triangles += vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->GetNumberOfCells();
+  }
+  EXPECT_NEAR(triangles, 1700000, 10000);
 }
 
 //--------------------------------------------------------------------------------------------------
