@@ -228,6 +228,48 @@ TEST(VirtualKernelShader, EqualsTheKernelInCxx)
   }
 }
 
+TEST(VirtualKernelShader, MovesWithoutSteps)
+{
+  KernelDrawing drawing;
+  const double step = 0.01; // texels
+  for (const Case& shape : MakeCases())
+  {
+    for (Case variant : Variants(shape))
+    {
+      const vtkVirtualKernel kernel = KernelOf(variant);
+      if (kernel.Across < 0.1 || kernel.Along + std::abs(kernel.Lean) > 0.4 * Size)
+      {
+        continue; // a line moves from texel to texel in one step; a wide one leaves the map
+      }
+      // Of the weighted area no more can change than what a step sweeps at the border.
+      const double share =
+        4.0 * step * (kernel.Along + kernel.Across + std::abs(kernel.Lean)) / kernel.GetArea();
+      double before = -1.0;
+      for (int i = 0; i < 12; ++i)
+      {
+        // Across the border of a texel, along s and t.
+        variant.Center = { { 23.95 + i * step, 23.97 + 0.37 * i * step } };
+        const std::vector<float> drawn = drawing.Draw(variant);
+        ASSERT_EQ(drawn.size(), 4u * Size * Size);
+        double sums[2] = { 0.0, 0.0 };
+        for (int texel = 0; texel < Size * Size; ++texel)
+        {
+          // The worst map there is: a chessboard of single texels.
+          const int isLit = (texel % Size + texel / Size) % 2;
+          sums[0] += isLit * drawn[4 * texel];
+          sums[1] += drawn[4 * texel];
+        }
+        const double now = sums[0] / sums[1];
+        EXPECT_TRUE(i == 0 || std::abs(now - before) <= share + 1e-5)
+          << "disk " << variant.Disk << " gaussian " << variant.Gaussian << " along "
+          << kernel.Along << " across " << kernel.Across << " step " << i << ": " << before
+          << " to " << now << ", share " << share;
+        before = now;
+      }
+    }
+  }
+}
+
 TEST(VirtualKernel, GaussianOverlapsSumToTheArea)
 {
   for (Case shape : MakeCases())
