@@ -37,6 +37,26 @@ float blockShare(int offset)
   return 2 * abs(offset) == pattern ? 0.5 : 1.0;
 }
 
+// Whether the mean can differ from the pixel's own estimate. Most pixels of an umbra end here.
+bool isVaried(ivec2 pixel, ivec2 size, vec2 own)
+{
+  int reach = pattern / 2;
+  ivec2 low = max(pixel - reach, ivec2(0));
+  ivec2 high = min(pixel + reach, size - 1);
+  for (int y = low.y; y <= high.y; ++y)
+  {
+    for (int x = low.x; x <= high.x; ++x)
+    {
+      vec2 other = texelFetch(source, ivec3(x, y, 0), 0).rg;
+      if ((other.x < -0.5 ? vec2(1.0) : other) != own)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -45,6 +65,11 @@ void main()
   if (own.x < -0.5)
   {
     gl_FragData[0] = vec4(weight);
+    return;
+  }
+  if (!isVaried(pixel, size, own))
+  {
+    gl_FragData[0] = vec4(weight * own.x * own.y);
     return;
   }
   Receiver receiver;
@@ -68,9 +93,12 @@ void main()
       }
       float share = blockShare(x) * blockShare(y) * surfaceWeight(receiver, tap);
       seen += share * range.x * other.y * vec2(other.x, 1.0);
-      vec3 normalVs = texelFetch(receiverNormal, tap, 0).xyz;
-      share *= dot(receiver.normalVs, normalVs) > planeCosine ? range.y : 0.0;
-      facing += share * vec2(other.y, 1.0);
+      if (own.y < 1.0)
+      {
+        vec3 normalVs = texelFetch(receiverNormal, tap, 0).xyz;
+        share *= dot(receiver.normalVs, normalVs) > planeCosine ? range.y : 0.0;
+        facing += share * vec2(other.y, 1.0);
+      }
     }
   }
   float visibility = seen.y > 0.0 ? seen.x / seen.y : 0.0;
