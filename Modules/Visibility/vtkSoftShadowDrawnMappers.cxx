@@ -20,8 +20,7 @@ bool vtkSoftShadowDrawnMappers::Contradicts(const vtkSoftShadowDrawnMappers& oth
     return false; // as in nearly every frame
   }
   using Pair = std::pair<const vtkProp*, const vtkAbstractMapper*>;
-  const auto byProp = [](const Pair& a, const Pair& b)
-  { return std::less<const vtkProp*>()(a.first, b.first); };
+  const auto byProp = [](const Pair& a, const Pair& b) { return std::less<>()(a.first, b.first); };
   std::vector<Pair> sorted = other.Pairs;
   std::sort(sorted.begin(), sorted.end(), byProp);
   return std::any_of(this->Pairs.begin(), this->Pairs.end(),

@@ -54,8 +54,8 @@ void ExpectReadable(const std::string& path)
 }
 
 //--------------------------------------------------------------------------------------------------
-void WriteImageFile(
-  const std::string& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels)
+void WriteImageFile(const std::string& path, const OIIO::ImageSpec& spec,
+  const OIIO::TypeDesc& type, const void* pixels)
 {
   const auto output = OIIO::ImageOutput::create(path);
   if (!output)

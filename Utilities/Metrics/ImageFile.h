@@ -20,8 +20,8 @@ namespace softshadows
  * row first. Throws std::runtime_error that names the file, and leaves none, also where the disk is
  * full: OpenImageIO's writers of PNG and OpenEXR do not notice that.
  */
-void WriteImageFile(
-  const std::string& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels);
+void WriteImageFile(const std::string& path, const OIIO::ImageSpec& spec,
+  const OIIO::TypeDesc& type, const void* pixels);
 
 }
 
