@@ -269,7 +269,7 @@ TEST(CascadedPass, TheOuterHalfOfAPenumbraIsNotLit)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   AddQuad(renderer, { { -4, -4, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } });
-  AddQuad(renderer, { { -4, -4, 1 } }, { { 4, 0, 0 } }, { { 0, 8, 0 } });
+  AddQuad(renderer, { { -0.5, -0.5, 1 } }, { { 0.5, 0, 0 } }, { { 0, 1, 0 } });
   vtkNew<vtkAreaLight> lamp;
   lamp->PositionalOn();
   lamp->SetConeAngle(80.0);
