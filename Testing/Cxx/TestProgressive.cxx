@@ -8,10 +8,12 @@
 #include "Stage.h"
 #include "Techniques.h"
 
+#include "vtkActor.h"
 #include "vtkAreaLight.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkNew.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSoftShadowPass.h"
 
@@ -136,16 +138,21 @@ TEST_P(Progressive, StartsAgainOnAnyChange)
   this->Pass->SetProgressiveTolerance(0.2);
   Stage stage(scene.Renderer, this->Pass, Width, Height);
   const Picture first = stage.RenderVisibility(scene.Lamp);
-  const auto changes = { +[](const BallScene& s, vtkSoftShadowPass*)
+  const auto changes = { +[](const BallScene& s, Stage&)
                          { s.Lamp->SetPosition(s.Lamp->GetPosition()[0] + 0.1, 0.0, 4.0); },
-    +[](const BallScene& s, vtkSoftShadowPass*) { s.Renderer->GetActiveCamera()->Azimuth(5.0); },
-    +[](const BallScene&, vtkSoftShadowPass* pass) { pass->SetMapSize(256); } };
+    +[](const BallScene& s, Stage&) { s.Renderer->GetActiveCamera()->Azimuth(5.0); },
+    +[](const BallScene& s, Stage&) { s.Ball->AddPosition(0.1, 0.0, 0.0); },
+    +[](const BallScene& s, Stage&) { s.Ball->VisibilityOff(); },
+    +[](const BallScene& s, Stage&) { s.Ball->VisibilityOn(); },
+    +[](const BallScene&, Stage& shown) { shown.GetPass()->SetMapSize(256); },
+    +[](const BallScene&, Stage& shown)
+    { shown.GetWindow().Get()->SetSize(Width + 16, Height + 8); } };
   for (const auto& change : changes)
   {
     this->Rest(stage);
     EXPECT_TRUE(this->Pass->GetConverged());
     EXPECT_GT(this->Pass->GetStatistics().ProgressivePoints, 0);
-    change(scene, this->Pass);
+    change(scene, stage);
     stage.Render();
     EXPECT_FALSE(this->Pass->GetConverged());
     EXPECT_TRUE(this->Pass->GetRefining());
