@@ -129,7 +129,8 @@ void vtkBilateralSoftShadowPass::DrawFilter(const vtkSoftShadowContext& context)
     settings.RangeDeviation *= std::sqrt(std::sqrt(std::min(Points / this->NumberOfSamples, 1.0)));
   }
   settings.SecondAxisFirst = this->SecondAxisFirst;
-  settings.Cell = this->Impl->Current->Cell;
+  settings.Cells.resize(1);
+  settings.Cells[0].Edges = this->Impl->Current->Cell;
   settings.MaximumWidth = this->MaximumWidth;
   settings.WeightedByPoints = this->HasGaussianWeights();
   settings.HalfTaps = this->FilterWidth / 2;
@@ -185,23 +186,12 @@ void vtkBilateralSoftShadowPass::Internals::DrawBatch(vtkBilateralSoftShadowPass
   vtkShaderProgram* program = this->MeanShader.GetProgram();
   self->SetReceiverUniforms(program, context);
   std::vector<float> weights;
-  std::vector<float> depths;
   for (size_t i = first; i < last; ++i)
   {
     weights.push_back(samples.Weights[i] / static_cast<float>(context.Emitter.Weight));
-    for (const double number : samples.Views[i].GetDepthToLinear())
-    {
-      depths.push_back(static_cast<float>(number));
-    }
   }
   vtkSoftShadowPass::SetSampleUniforms(program, context, samples.Views.data() + first,
     weights.data(), last - first, layer, self->MapSize, 1);
-  if (last > first)
-  {
-    program->SetUniform2fv("depthToLinears", static_cast<int>(last - first),
-      reinterpret_cast<float(*)[2]>(depths.data()));
-  }
-  program->SetUniformi("mapDirectional", context.Emitter.Directional ? 1 : 0);
   // The texture starts at -1, no value.
   program->SetUniformf("madeUp", isFirst ? 1.0f : 0.0f);
   program->SetUniformf(

@@ -38,6 +38,7 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
     definitions.emplace_back("SOFT_SHADOW_NO_GATHER", "1");
   }
   impl.Shader.SetDefinitions(definitions);
+  impl.SumsShader.SetDefinitions(definitions);
   impl.Refiner.SetDefinitions(definitions);
   Internals::EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
   if (emitter.Emitter != context.Emitter || emitter.SettingsTime != this->GetMTime() ||
@@ -56,6 +57,11 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
   for (size_t i = 0; i < impl.Cascades.size(); ++i)
   {
     sets.push_back(this->AddSets(context, i));
+  }
+  if (!this->Adaptive && this->Filter == SCREEN)
+  {
+    impl.DrawScreen(this, context, emitter.Maps);
+    return;
   }
   for (size_t i = 0; i < impl.Cascades.size(); ++i)
   {
@@ -120,7 +126,7 @@ vtkTypeInt64 vtkCascadedSoftShadowPass::GetTechniqueBytes()
   {
     bytes += emitter.second.Maps.GetBytes();
   }
-  return bytes + this->Impl->Refiner.GetBytes();
+  return bytes + this->Impl->Refiner.GetBytes() + this->Impl->ScreenFilter.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +143,8 @@ vtkTypeInt64 vtkCascadedSoftShadowPass::GetTechniqueDrawCalls()
 //------------------------------------------------------------------------------
 int vtkCascadedSoftShadowPass::GetTechniqueShaderBuilds()
 {
-  return this->Impl->Shader.GetNumberOfBuilds() + this->Impl->Tint.GetNumberOfBuilds() +
+  return this->Impl->Shader.GetNumberOfBuilds() + this->Impl->SumsShader.GetNumberOfBuilds() +
+    this->Impl->ScreenFilter.GetNumberOfShaderBuilds() + this->Impl->Tint.GetNumberOfBuilds() +
     this->Impl->Refiner.GetNumberOfBuilds();
 }
 
@@ -146,6 +153,8 @@ void vtkCascadedSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   this->Impl->Shader.ReleaseGraphicsResources(window);
+  this->Impl->SumsShader.ReleaseGraphicsResources(window);
+  this->Impl->ScreenFilter.ReleaseGraphicsResources(window);
   this->Impl->Tint.ReleaseGraphicsResources(window);
   for (auto& emitter : this->Impl->Emitters)
   {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // How a cascade with one set of points is baked and drawn.
-#include "vtkCascadedPoints.h"
 #include "vtkCascadedSoftShadowPassInternals.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -49,19 +48,9 @@ void vtkCascadedSoftShadowPass::Internals::DrawCascade(vtkCascadedSoftShadowPass
     program->SetUniformf("litWeight", litWeight);
     litWeight = 0.0f; // once
     self->SetReceiverUniforms(program, context);
-    program->SetUniformf("depthMapSize", static_cast<float>(maps.GetMapSize(set.Resolution)));
-    program->SetUniformf("firstLayer", static_cast<float>(run.Layer));
-    program->SetUniformi("filterSize", set.FilterSize);
-    program->SetUniformi("fixedFilter", self->Filter == FIXED ? 1 : 0);
-    program->SetUniformi("wideFilter", self->Filter == WIDE ? 1 : 0);
-    const vtkShadowMapView* views = set.Samples.Views.data() + run.First;
-    const size_t pointCount = run.Last - run.First;
-    if (pointCount > 0)
-    {
-      vtkSoftShadowPass::SetAffineMapUniforms(program, context, views, pointCount);
-    }
-    vtkCascadedPoints(context.Emitter, views, set.Samples.Weights.data() + run.First, pointCount)
-      .SetUniforms(program, 1.0 / self->SampleEdges[cascade]);
+    vtkSoftShadowPass::SetSampleUniforms(program, context, set.Samples.Views.data() + run.First,
+      set.Samples.Weights.data() + run.First, run.Last - run.First, run.Layer,
+      maps.GetMapSize(set.Resolution), set.FilterSize);
     vtkShadowTextureArray* texture = maps.GetMaps(set.Resolution)->GetTexture();
     program->SetUniformi("depthMaps", texture->Activate(context.Window));
     self->DrawFiltered(this->Shader);

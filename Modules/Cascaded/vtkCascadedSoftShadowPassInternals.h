@@ -15,8 +15,10 @@
 #include "vtkShadowCascades.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
+#include "vtkSoftShadowScreenFilter.h"
 
 #include "vtkCascadedSoftShadowFS.h"
+#include "vtkCascadedSumsFS.h"
 
 #include <array>
 #include <map>
@@ -50,6 +52,8 @@ public:
   vtkTypeInt64 Frame = -1;                             // the last one that drew visibility
   std::shared_ptr<vtkShadowQueryReader> Reader = std::make_shared<vtkShadowQueryReader>();
   vtkShadowShader Shader{ vtkCascadedSoftShadowFS };
+  vtkShadowShader SumsShader{ vtkCascadedSumsFS };
+  vtkSoftShadowScreenFilter ScreenFilter;
   vtkCascadedTint Tint;
   Refinement Refiner;
   vtkShadowReceivers* Receivers = nullptr; // the base class's
@@ -69,6 +73,14 @@ public:
   /// Draws a cascade whose points are one set.
   void DrawCascade(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
     vtkCascadedSoftShadowMaps& maps, size_t cascade);
+
+  /// Draws the sums of all cascades, filtered on the screen.
+  void DrawScreen(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
+    vtkCascadedSoftShadowMaps& maps);
+
+  /// Draws a cascade's part of the sums. isFirst: nothing has been drawn yet; false afterwards.
+  void DrawSums(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
+    vtkCascadedSoftShadowMaps& maps, size_t cascade, bool& isFirst);
 
   /// Bakes and counts what it takes to draw a set from its sample first on.
   static vtkCascadedSoftShadowMaps::Run Bake(vtkCascadedSoftShadowPass* self,

@@ -125,12 +125,12 @@ std::vector<size_t> vtkCascadedSoftShadowPass::AddSets(
   Internals& impl = *this->Impl;
   Internals::EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
   const int resolution = this->Resolutions[cascade];
-  const int filterSize = this->FilterSizes[cascade];
-  // The other filters reach no farther than their texels.
-  const bool wide = this->Filter == WIDE && !this->Adaptive;
-  const double share = wide ? 1.0 / this->SampleEdges[cascade] : 0.0;
-  const std::array<double, 2> cell = { { share * context.Emitter.HalfSize[0],
-    share * context.Emitter.HalfSize[1] } };
+  // On the screen edges are a texel wide, but for a hard light's.
+  const int texels = context.Emitter.HasExtent() ? 2 : 1;
+  const int filterSize =
+    !this->Adaptive && this->Filter == SCREEN ? texels : this->FilterSizes[cascade];
+  // No filter reaches farther than its texels: what is on the screen has its own.
+  const std::array<double, 2> cell = { { 0.0, 0.0 } };
   const auto add = [&](const vtkSoftShadowSamples& fits)
   {
     return emitter.Maps.Add(resolution, filterSize,

@@ -77,7 +77,7 @@ void vtkCascadedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const char* const patterns[] = { "grid", "stratified", "hammersley" };
-  const char* const filters[] = { "cell", "fixed", "wide" };
+  const char* const filters[] = { "screen", "fixed" };
   const char* const resolutions[] = { "high", "medium", "low" };
   os << indent << "NumberOfCascades: " << this->NumberOfCascades << "\n";
   os << indent << "SplitLambda: " << this->SplitLambda << "\n";

@@ -13,6 +13,7 @@
 #include "vtkShadowFullscreenVS.h"
 #include "vtkShadowKernel.h"
 #include "vtkShadowLight.h"
+#include "vtkShadowPointSums.h"
 #include "vtkShadowProof.h"
 #include "vtkShadowReceiver.h"
 #include "vtkShadowSamples.h"
@@ -33,6 +34,7 @@ const char* FindSnippet(const std::string& name)
     { "vtkShadowDepthMap", vtkShadowDepthMap },
     { "vtkShadowKernel", vtkShadowKernel },
     { "vtkShadowLight", vtkShadowLight },
+    { "vtkShadowPointSums", vtkShadowPointSums },
     { "vtkShadowProof", vtkShadowProof },
     { "vtkShadowReceiver", vtkShadowReceiver },
     { "vtkShadowSamples", vtkShadowSamples },

@@ -46,6 +46,24 @@ int FindFaceAxis(const vtkShadowEmitter& face, size_t index)
   return face.Face ? static_cast<int>(index / 2) : -1;
 }
 
+// For vtkShadowPointSums.
+void SetDepthUniforms(vtkShaderProgram* program, const vtkShadowMapView* views, size_t count)
+{
+  if (count == 0 || !program->IsUniformUsed("depthToLinears"))
+  {
+    return;
+  }
+  std::array<float[2], VTK_SOFT_SHADOW_SAMPLES_PER_DRAW> depths;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const std::array<double, 2> linear = views[i].GetDepthToLinear();
+    depths[i][0] = static_cast<float>(linear[0]);
+    depths[i][1] = static_cast<float>(linear[1]);
+  }
+  program->SetUniform2fv("depthToLinears", static_cast<int>(count), depths.data());
+  program->SetUniformi("mapDirectional", views[0].Emitter.Directional ? 1 : 0);
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -325,6 +343,7 @@ void vtkSoftShadowPass::SetSampleUniforms(vtkShaderProgram* program,
   {
     vtkSoftShadowPass::SetAffineMapUniforms(program, context, views, count);
     program->SetUniform1fv("sampleWeights", static_cast<int>(count), weights);
+    SetDepthUniforms(program, views, count);
   }
 }
 

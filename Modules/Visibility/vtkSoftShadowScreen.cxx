@@ -38,6 +38,20 @@ bool vtkSoftShadowScreen::Begin(
 }
 
 //------------------------------------------------------------------------------
+bool vtkSoftShadowScreen::Copy(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  vtkShadowTextureArray* texture = this->Textures[KNOWN];
+  if (!texture->Allocate(window, vtkShadowTextureArray::R32F, width, height, 1))
+  {
+    return false;
+  }
+  texture->Activate();
+  glCopyTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, 0, 0, width, height);
+  texture->Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
 vtkTypeInt64 vtkSoftShadowScreen::GetBytes() const
 {
   vtkTypeInt64 bytes = 0;

@@ -28,7 +28,8 @@ public:
       1,       // RGBA32F: visibility, -1 where there is no value; guide; weight of points in front
     AGAIN = 2, // RGBA32F: the same, where more than two steps need it
     TILES = 3, // RGBA32F: least and greatest visibility of a tile
-    NUMBER_OF_TEXTURES = 4
+    KNOWN = 4, // R32F: visibility where there is nothing to estimate, as proved; else negative or 0
+    NUMBER_OF_TEXTURES = 5
   };
 
   vtkSoftShadowScreen();
@@ -44,6 +45,9 @@ public:
    */
   bool Begin(
     vtkOpenGLRenderWindow* window, TextureName texture, int width, int height, unsigned int marks);
+
+  /// Copies the bound framebuffer's visibility into KNOWN.
+  bool Copy(vtkOpenGLRenderWindow* window, int width, int height);
 
   vtkShadowTextureArray* GetTexture(TextureName texture) { return this->Textures[texture]; }
   vtkTypeInt64 GetBytes() const;

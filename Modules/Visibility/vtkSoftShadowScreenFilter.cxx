@@ -156,14 +156,34 @@ void SetCellUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& cont
   }
   frame.Transform(halfExtents[0], 0.0, axes[0]);
   frame.Transform(halfExtents[1], 0.0, axes[1]);
-  double edge[3];
-  const std::array<double, 2>& cell = settings.Cell[step.Edge];
-  for (int i = 0; i < 3; ++i)
+  float edges[vtkSoftShadowScreenFilter::MaximumNumberOfCells][3];
+  float bandSteps[vtkSoftShadowScreenFilter::MaximumNumberOfCells];
+  float fadeIns[vtkSoftShadowScreenFilter::MaximumNumberOfCells][2];
+  float fadeOuts[vtkSoftShadowScreenFilter::MaximumNumberOfCells][2];
+  const int cells = std::min(static_cast<int>(settings.Cells.size()),
+    static_cast<int>(vtkSoftShadowScreenFilter::MaximumNumberOfCells));
+  for (int cell = 0; cell < cells; ++cell)
   {
-    edge[i] = cell[0] * halfExtents[0][i] + cell[1] * halfExtents[1][i];
+    const vtkSoftShadowScreenFilter::Cell& at = settings.Cells[cell];
+    const std::array<double, 2>& along = at.Edges[step.Edge];
+    double edge[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      edge[i] = along[0] * halfExtents[0][i] + along[1] * halfExtents[1][i];
+    }
+    frame.Transform(edge, 0.0, edges[cell]);
+    bandSteps[cell] = static_cast<float>(at.BandStep);
+    for (int i = 0; i < 2; ++i)
+    {
+      fadeIns[cell][i] = static_cast<float>(at.FadeIn[i]);
+      fadeOuts[cell][i] = static_cast<float>(at.FadeOut[i]);
+    }
   }
-  float axis[3];
-  frame.Transform(edge, 0.0, axis);
+  program->SetUniformi("cellCount", cells);
+  program->SetUniform3fv("cellAxesVs", cells, edges);
+  program->SetUniform1fv("bandSteps", cells, bandSteps);
+  program->SetUniform2fv("fadeIns", cells, fadeIns);
+  program->SetUniform2fv("fadeOuts", cells, fadeOuts);
   const vtkMatrix4x4* projection =
     context.Renderer->GetActiveCamera()->GetProjectionTransformMatrix(
       context.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
@@ -178,7 +198,6 @@ void SetCellUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& cont
   program->SetUniform3fv("lightAxesVs", 2, axes);
   const int shape = emitter.Shape == vtkShadowEmitter::DISK ? 1 : 0;
   program->SetUniformi("lightKind", settings.WeightedByPoints || !emitter.HasExtent() ? 2 : shape);
-  program->SetUniform3f("cellAxisVs", axis);
   program->SetUniformf("maximumWidth", static_cast<float>(settings.MaximumWidth));
   program->SetUniformi("tileSize", GetTileSize(settings));
 }
@@ -213,9 +232,12 @@ vtkSoftShadowScreenFilter::~vtkSoftShadowScreenFilter() = default;
 //------------------------------------------------------------------------------
 bool vtkSoftShadowScreenFilter::BeginSums(const vtkSoftShadowContext& context)
 {
+  const bool isKept = this->Impl->Textures.Copy(
+    context.Window, context.Receivers->GetWidth(), context.Receivers->GetHeight());
   this->Impl->SumsTarget.reset(new ScopedTarget(context.Window->GetState()));
-  if (this->Impl->Textures.Begin(context.Window, Screen::SUMS, context.Receivers->GetWidth(),
-        context.Receivers->GetHeight(), context.Marks))
+  if (isKept &&
+    this->Impl->Textures.Begin(context.Window, Screen::SUMS, context.Receivers->GetWidth(),
+      context.Receivers->GetHeight(), context.Marks))
   {
     return true;
   }
@@ -263,8 +285,11 @@ bool vtkSoftShadowScreenFilter::Internals::DrawTiles(
   vtkShaderProgram* program = this->TilesShader.GetProgram();
   program->SetUniformi("tileSize", size);
   vtkShadowTextureArray* source = this->Textures.GetTexture(Screen::SUMS);
+  vtkShadowTextureArray* known = this->Textures.GetTexture(Screen::KNOWN);
   program->SetUniformi("source", source->Activate());
+  program->SetUniformi("known", known->Activate());
   this->TilesShader.Draw();
+  known->Deactivate();
   source->Deactivate();
   return true;
 }
@@ -295,7 +320,9 @@ void vtkSoftShadowScreenFilter::Internals::DrawStep(const vtkSoftShadowContext& 
   }
   vtkShadowTextureArray* texture = this->Textures.GetTexture(source);
   vtkShadowTextureArray* tiles = this->Textures.GetTexture(Screen::TILES);
+  vtkShadowTextureArray* known = this->Textures.GetTexture(Screen::KNOWN);
   program->SetUniformi("source", texture->Activate());
+  program->SetUniformi("known", known->Activate());
   if (isCell)
   {
     program->SetUniformi("tiles", tiles->Activate());
@@ -317,6 +344,7 @@ void vtkSoftShadowScreenFilter::Internals::DrawStep(const vtkSoftShadowContext& 
     source = next;
   }
   tiles->Deactivate();
+  known->Deactivate();
   texture->Deactivate();
   context.Receivers->Deactivate();
 }

@@ -20,8 +20,7 @@
  *  g: the weights of those of them that it sees;
  *  b: weight * reach of those that are hidden: how much further than its blocker the receiver is,
  *     z_q / z_o - 1 of depths along a positional emitter's direction, z_q - z_o of a directional
- *     one's; what the emitter's size is multiplied by to get the penumbra's. Where cells differ from
- *     pixel to pixel, times the size of the pixel's cell beside Settings::Cell;
+ *     one's; what the emitter's size is multiplied by to get the penumbra's;
  *  a: the weights of the points behind the plane that nothing else hides.
  * Only CELL reads b and a; the others take g for the visibility.
  *
@@ -39,6 +38,7 @@
 
 #include <array>  // For cells
 #include <memory> // For the implementation
+#include <vector> // For cells
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkWindow;
@@ -55,6 +55,21 @@ public:
     CELL = 3       ///< A box with the shape of the shadow of a cell of the light.
   };
 
+  /**
+   * The edges of the cell around each point in the emitter's window [-1, 1]^2, and the view depths
+   * between which it is that cell: its weight rises over FadeIn and falls over FadeOut. Taps that
+   * differ by no more than BandStep, in units of visibility, lose no weight by it: what a straight
+   * edge makes of neighbouring bands.
+   */
+  struct Cell
+  {
+    std::array<std::array<double, 2>, 2> Edges = { {} };
+    double BandStep = 0.0;
+    std::array<double, 2> FadeIn = { { -2e30, -1e30 } };
+    std::array<double, 2> FadeOut = { { 1e30, 2e30 } };
+  };
+  static constexpr int MaximumNumberOfCells = 4;
+
   struct Settings
   {
     int Domain = CELL;
@@ -64,9 +79,9 @@ public:
     bool SecondAxisFirst = false;
 
     ///@{
-    /// CELL: the edges of the cell around each point in the emitter's window [-1, 1]^2, the widest
-    /// box in pixels, and whether the emitter's weight is that of its points alone (not uniform).
-    std::array<std::array<double, 2>, 2> Cell = { {} };
+    /// CELL: one cell for all depths, or up to four, whose weights sum to 1; the widest box in
+    /// pixels, and whether the emitter's weight is that of its points alone (not uniform).
+    std::vector<Cell> Cells;
     int MaximumWidth = 64;
     bool WeightedByPoints = false;
     ///@}
@@ -86,7 +101,8 @@ public:
   vtkSoftShadowScreenFilter& operator=(const vtkSoftShadowScreenFilter&) = delete;
 
   /**
-   * Binds the sums, of the receivers' size, for drawing, and clears them to (-1, 0, 0, 0). Blending
+   * Keeps what the bound framebuffer knows of pixels that are not marked (proved, or another
+   * emitter's): they are taps too. Binds the sums, of the receivers' size, for drawing, and clears them to (-1, 0, 0, 0). Blending
    * and the depth test, with the context's marks, stay as a technique finds them. False, with
    * nothing bound and an error, if there is no such texture.
    */

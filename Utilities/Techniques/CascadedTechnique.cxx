@@ -38,7 +38,7 @@ void AddCascadeOptions(Technique& technique, int cascade)
   technique.Options.push_back(WithRange(
     MakeOption<Pass>(
       TechniqueOption::Kind::Integer, "filter_" + number,
-      "texels along an edge of the filter over the maps of cascade " + number + "; 1 is none",
+      "texels along an edge of filter=fixed over the maps of cascade " + number + "; 1 is none",
       [cascade](Pass* pass, double value)
       { pass->SetFilterSize(cascade, static_cast<int>(value)); },
       [cascade](Pass* pass) { return static_cast<double>(pass->GetFilterSize(cascade)); }),
@@ -74,10 +74,8 @@ Technique MakeCascadedTechnique()
     AddCascadeOptions(technique, i);
   }
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, Filter, "filter",
-    "as wide as the penumbra of a point's part of the light, up to filter_0 and so on; that wide; "
-    "or "
-    "wider, with as many taps",
-    { "cell", "fixed", "wide" }));
+    "on the screen, over the shadow of a point's part of the light; or filter_0 and so on texels",
+    { "screen", "fixed" }));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Pattern, "pattern", "how the points are spread", { "grid", "stratified", "hammersley" }));
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, Adaptive, "adaptive",
@@ -90,7 +88,7 @@ Technique MakeCascadedTechnique()
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(pass, TintLight, "tint_light",
     "light by whose cascades the picture is tinted; -1 for the mean of all"));
   technique.Draft = { { "edge_0", "2" }, { "edge_1", "2" }, { "edge_2", "1" } };
-  technique.Best = { { "edge_0", "9" }, { "edge_1", "9" }, { "edge_2", "9" }, { "filter_0", "3" },
+  technique.Best = { { "edge_0", "9" }, { "edge_1", "9" }, { "edge_2", "9" },
     { "map_size", "2048" } };
   return technique;
 }

@@ -10,6 +10,7 @@
 //SoftShadows::Include vtkShadowSurface
 
 uniform sampler2DArray source;
+uniform sampler2DArray known; // visibility where the source has no value; -1 if there is none
 uniform int firstStep; // the source are sums: of points in front, of those seen, of reaches...
 uniform int lastStep;
 uniform float weight;  // of the emitter
@@ -75,19 +76,27 @@ Pixel fetchPixel(ivec2 pixel)
 #endif
 }
 
-// Adds a tap of the domain weight given.
-void addTap(Receiver receiver, float visibility, ivec2 pixel, float domainWeight, inout vec2 sum)
+// A pixel whose visibility is not estimated here may be known all the same.
+Pixel fetchTap(ivec2 pixel)
+{
+  Pixel tap = fetchPixel(pixel);
+  return tap.visibility < -0.5 ? Pixel(texelFetch(known, ivec3(pixel, 0), 0).r, 0.0, 1.0) : tap;
+}
+
+// Adds a tap of the domain weight given. What differs by no more than a step is not a shadow's edge.
+void addTap(Receiver receiver, float visibility, ivec2 pixel, float domainWeight, float bandStep,
+  inout vec2 sum)
 {
   if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, textureSize(source, 0).xy)))
   {
     return;
   }
-  Pixel other = fetchPixel(pixel);
+  Pixel other = fetchTap(pixel);
   if (other.visibility < -0.5)
   {
     return;
   }
-  float range = (other.visibility - visibility) / rangeDeviation;
+  float range = max(abs(other.visibility - visibility) - bandStep, 0.0) / rangeDeviation;
   // A pixel that few points of the light are in front of knows little.
   float tapWeight =
     domainWeight * exp(-0.5 * range * range) * other.facing * surfaceWeight(receiver, pixel);
@@ -99,9 +108,14 @@ void addTap(Receiver receiver, float visibility, ivec2 pixel, float domainWeight
 uniform sampler2DArray tiles; // least and greatest visibility
 uniform int tileSize;
 uniform mat4 viewToClip;
-uniform vec3 cellAxisVs;  // an edge of the cell of a point of the light
+const int maximumCells = 4;
+uniform int cellCount;
+uniform vec3 cellAxesVs[maximumCells]; // an edge of the cell of a point of the light
+uniform float bandSteps[maximumCells];  // how much its bands differ
+uniform vec2 fadeIns[maximumCells];    // view depths over which a cell's weight rises
+uniform vec2 fadeOuts[maximumCells];   // and falls
 uniform float maximumWidth; // pixels
-const int maximumTaps = 9;
+const int maximumTaps = 33;
 
 // Whether the visibility changes anywhere near.
 bool isVaried(ivec2 pixel)
@@ -161,11 +175,32 @@ float findGuide(Receiver receiver, ivec2 pixel, Pixel value)
   return value.visibility < 1.0 - visibilityRounding ? value.guide : searchReach(receiver, pixel);
 }
 
+struct Cell
+{
+  vec3 axisVs;
+  float bandStep;
+};
+
+// The cell at the receiver's depth.
+Cell cellAt(float depth)
+{
+  Cell cell = Cell(vec3(0.0), 0.0);
+  for (int i = 0; i < cellCount; ++i)
+  {
+    float share = smoothstep(fadeIns[i].x, fadeIns[i].y, depth) *
+      (1.0 - smoothstep(fadeOuts[i].x, fadeOuts[i].y, depth));
+    share = cellCount == 1 ? 1.0 : share;
+    cell.axisVs += share * cellAxesVs[i];
+    cell.bandStep += share * bandSteps[i];
+  }
+  return cell;
+}
+
 // How far, in pixels, the shadow moves when the point of the light moves by the edge of its cell.
 //
 // A blocker's shadow on the receiver's plane moves against the light, reach times as far, and along
 // the ray so as to stay on the plane.
-vec2 shadowMotion(Receiver receiver, float reach)
+vec2 shadowMotion(Receiver receiver, vec3 cellAxisVs, float reach)
 {
   vec3 ray = positional * receiver.positionVs - lightVs;
   float slant = dot(receiver.normalVs, ray);
@@ -182,13 +217,19 @@ vec2 shadowMotion(Receiver receiver, float reach)
 // A box as wide as the cell of a point of the light: the bands become a ramp.
 float filterVisibility(Receiver receiver, ivec2 pixel, float visibility, float guide)
 {
-  vec2 axis = shadowMotion(receiver, guide);
-  int taps = int(clamp(ceil(max(abs(axis.x), abs(axis.y))), 1.0, float(maximumTaps)));
+  Cell cell = cellAt(-receiver.positionVs.z);
+  vec2 axis = shadowMotion(receiver, cell.axisVs, guide);
+  // Along the longer component a tap per pixel, or as many as allowed; those that the box's ends cut
+  // count by the part inside.
+  float width = max(max(abs(axis.x), abs(axis.y)), 1.0);
+  float taps = min(width, float(maximumTaps));
+  int reach = int(ceil(0.5 * (taps - 1.0)));
   vec2 sum = vec2(0.0);
-  for (int i = 0; i < taps; ++i)
+  for (int i = -reach; i <= reach; ++i)
   {
-    vec2 offset = ((float(i) + 0.5) / float(taps) - 0.5) * axis;
-    addTap(receiver, visibility, pixel + ivec2(floor(offset + 0.5)), 1.0, sum);
+    float inside = clamp(0.5 * taps - abs(float(i)) + 0.5, 0.0, 1.0);
+    vec2 offset = float(i) / taps * axis;
+    addTap(receiver, visibility, pixel + ivec2(floor(offset + 0.5)), inside, cell.bandStep, sum);
   }
   return sum.y > 0.0 ? sum.x / sum.y : visibility;
 }
@@ -218,7 +259,7 @@ float filterVisibility(Receiver receiver, ivec2 pixel, float visibility, float g
     {
       vec2 domain = vec2(x, y) / domainDeviation;
       addTap(receiver, visibility, pixel + x * stepAxis + y * rowAxis,
-        exp(-0.5 * dot(domain, domain)), sum);
+        exp(-0.5 * dot(domain, domain)), 0.0, sum);
     }
   }
   return sum.x / sum.y;

@@ -5,6 +5,7 @@
 // screen; (2, -2) where there is none.
 
 uniform sampler2DArray source;
+uniform sampler2DArray known; // where the source has no value
 uniform int tileSize;
 
 void main()
@@ -21,6 +22,11 @@ void main()
       {
         float visibility = sums.g / sums.r;
         range = vec2(min(range.x, visibility), max(range.y, visibility));
+      }
+      else if (sums.r < -0.5)
+      {
+        float visibility = texelFetch(known, ivec3(x, y, 0), 0).r;
+        range = visibility < -0.5 ? range : vec2(min(range.x, visibility), max(range.y, visibility));
       }
     }
   }

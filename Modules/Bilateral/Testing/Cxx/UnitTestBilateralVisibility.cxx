@@ -4,13 +4,12 @@
 
 #include "OffscreenWindow.h"
 #include "Picture.h"
+#include "Room.h"
 #include "Scenes.h"
 #include "WorldPositions.h"
 
 #include "vtkActor.h"
-#include "vtkAreaLight.h"
 #include "vtkBilateralSoftShadowPass.h"
-#include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -132,57 +131,6 @@ double PenumbraError(const Scene& scene, const Picture& picture)
 void AddQuad(vtkRenderer* renderer, const Point& origin, const Point& edge1, const Point& edge2)
 {
   renderer->AddActor(MakeQuadActor({ { origin, edge1, edge2 } }));
-}
-
-// A floor and a wall that stands on it, a board above them, and a lamp of the size given.
-vtkSmartPointer<vtkRenderer> MakeRoom(double lampSize)
-{
-  auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  AddQuad(renderer, { { -4, -4, 0 } }, { { 8, 0, 0 } }, { { 0, 5, 0 } });
-  AddQuad(renderer, { { -4, 1, 0 } }, { { 8, 0, 0 } }, { { 0, 0, 4 } });
-  AddQuad(renderer, { { -1, -1.5, 0.8 } }, { { 2, 0, 0 } }, { { 0, 2, 0 } });
-  vtkNew<vtkAreaLight> lamp;
-  lamp->PositionalOn();
-  lamp->SetPosition(0.2, -1.0, 6.0);
-  lamp->SetFocalPoint(0.2, -1.0, 0.0);
-  lamp->SetShapeToRectangle();
-  lamp->SetSize(lampSize, lampSize);
-  renderer->AddLight(lamp);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(1.0, -7.0, 3.5);
-  camera->SetFocalPoint(0.0, 0.0, 0.4);
-  camera->SetViewUp(0.0, 0.0, 1.0);
-  renderer->ResetCameraClippingRange();
-  return renderer;
-}
-
-// Which of the room's planes each pixel shows.
-std::vector<int> RoomSurfaces(vtkRenderer* renderer, const Picture& depth)
-{
-  const Plane planes[] = { { { { 0, 0, 0 } }, { { 0, 0, 1 } } },
-    { { { 0, 1, 0 } }, { { 0, 1, 0 } } }, { { { 0, 0, 0.8 } }, { { 0, 0, 1 } } } };
-  double position[3];
-  double direction[3];
-  renderer->GetActiveCamera()->GetPosition(position);
-  renderer->GetActiveCamera()->GetDirectionOfProjection(direction);
-  std::vector<int> surfaces(depth.Values.size(), -1);
-  for (int plane = 0; plane < 3; ++plane)
-  {
-    const std::vector<Point> points = PlanePositions(renderer, Width, Height, planes[plane]);
-    for (size_t i = 0; i < points.size(); ++i)
-    {
-      double along = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        along += (points[i][k] - position[k]) * direction[k];
-      }
-      if (std::abs(along - depth.Values[i]) < 1e-3)
-      {
-        surfaces[i] = plane;
-      }
-    }
-  }
-  return surfaces;
 }
 } // namespace
 

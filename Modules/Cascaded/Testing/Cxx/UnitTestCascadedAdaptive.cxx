@@ -50,6 +50,7 @@ TEST_P(AdaptiveClosedForm, ReachesItsToleranceWithFewerPoints)
   vtkNew<vtkCascadedSoftShadowPass> uniform;
   uniform->EarlyOutOff();
   uniform->SetNumberOfCascades(1);
+  uniform->SetFilter(vtkCascadedSoftShadowPass::FIXED);
   uniform->SetFilterSize(0, 1);
   UsePass(scene.Renderer, uniform);
   const int edge = static_cast<int>(std::ceil(std::sqrt(perPixel)));

@@ -58,7 +58,7 @@ TEST(CascadedPass, BakesNothingTwice)
   EXPECT_EQ(stage.Pass->GetNumberOfOccupiedCascades(), 3);
   EXPECT_EQ(stage.Pass->GetStatistics().MapsBaked, 29);
   EXPECT_EQ(
-    stage.Pass->GetStatistics().TexelsDrawn, 16 * 512 * 512 + 9 * 256 * 256 + 4 * 128 * 128);
+    stage.Pass->GetStatistics().TexelsDrawn, 16 * 512 * 512 + 9 * 512 * 512 + 4 * 256 * 256);
   stage.Render();
   EXPECT_EQ(stage.Pass->GetStatistics().MapsBaked, 29);
   // Less than a texel's move keeps the snapped maps.
@@ -118,19 +118,18 @@ TEST(CascadedPass, ReceiversWithoutCastersBakeNothing)
   EXPECT_GE(stage.Pass->GetStatistics().MapsBaked, 16);
 }
 
-// Few maps at a time give what all at once give. (With cells, pixels are proved lit or blocked by all
-// points at hand, so that those few pixels differ that only a box between the points is hidden from.)
+// Few maps at a time give what all at once give.
 TEST(CascadedPass, MemoryChangesNothing)
 {
   const auto renderer = MakeAvenue(3.0);
   Stage stage(renderer);
-  stage.Pass->SetFilter(vtkCascadedSoftShadowPass::FIXED);
   const Picture whole = stage.Render();
   stage.Pass->SetMapMemory(5);
   const Picture batched = stage.Render();
   for (size_t i = 0; i < whole.Values.size(); ++i)
   {
-    ASSERT_TRUE(std::isnan(whole.Values[i]) || std::abs(whole.Values[i] - batched.Values[i]) < 1e-5)
+    // The sums are added in another order, and weights of taps fall over a twentieth of their range.
+    ASSERT_TRUE(std::isnan(whole.Values[i]) || std::abs(whole.Values[i] - batched.Values[i]) < 1e-4)
       << "pixel " << i;
   }
   EXPECT_GT(stage.Pass->GetStatistics().MapsBaked, 29 + 16);
@@ -286,16 +285,15 @@ TEST(CascadedPass, TheOuterHalfOfAPenumbraIsNotLit)
   camera->SetParallelScale(0.06); // x from 0.045 to 0.205
   camera->SetClippingRange(0.5, 3.0);
   Stage stage(renderer);
-  stage.Pass->SetFilter(vtkCascadedSoftShadowPass::WIDE);
   for (int i = 0; i < 3; ++i)
   {
-    stage.Pass->SetSampleEdge(i, 1);
-    stage.Pass->SetFilterSize(i, 15);
+    stage.Pass->SetSampleEdge(i, 2);
   }
   const Picture visibility = stage.Render();
   for (const int column : { 5, Width / 2, Width - 5 })
   {
     const double x = 0.125 + 0.12 * (column + 0.5 - 0.5 * Width) / Height;
-    EXPECT_NEAR(visibility.At(column, Height / 2), 0.5 + 2.0 * x, 0.05) << "x " << x;
+    // Half a step of two points.
+    EXPECT_NEAR(visibility.At(column, Height / 2), 0.5 + 2.0 * x, 0.13) << "x " << x;
   }
 }
