@@ -28,37 +28,50 @@ constexpr int ChangeLevel = 2;
 } // namespace
 
 //------------------------------------------------------------------------------
-int vtkCascadedSoftShadowPass::Refinement::Plan::GetLastLevel(int largest) const
+int vtkCascadedSoftShadowPass::Refinement::Plan::GetLastLevel() const
 {
-  return this->LastLevel < 0 ? largest : std::min(this->LastLevel, largest);
+  return this->LastLevel < 0 ? this->LargestLevel : std::min(this->LastLevel, this->LargestLevel);
 }
 
 //------------------------------------------------------------------------------
-bool vtkCascadedSoftShadowPass::Refinement::Plan::Collect(
-  vtkShadowQueryReader& reader, vtkTypeInt64 fewPixels, int largest)
+void vtkCascadedSoftShadowPass::Refinement::Plan::Collect(
+  vtkShadowQueryReader& reader, vtkTypeInt64 fewPixels)
 {
   if (this->Pending == 0)
   {
-    return false;
+    return;
   }
   for (int i = 0; i < this->Pending; ++i)
   {
     if (!reader.IsAvailable(this->Queries[i]))
     {
-      return false;
+      return;
     }
   }
   this->Counts.fill(0);
-  int needed = 0;
+  this->LastLevel = 0;
   for (int i = 0; i < this->Pending; ++i)
   {
     this->Counts[i] = reader.GetResult(this->Queries[i]);
-    needed = i > 0 && this->Counts[i] > fewPixels ? i : needed;
+    this->LastLevel = i > 0 && this->Counts[i] > fewPixels ? i : this->LastLevel;
   }
-  const int drawn = this->Pending - 2;
+  this->Counted = this->Pending - 1;
   this->Pending = 0;
-  this->LastLevel = std::min(needed, largest);
-  return this->LastLevel > drawn;
+  this->WantsMore = this->GetLastLevel() >= this->Counted;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCascadedSoftShadowPass::Refinement::Plan::GetNumberOfPixelSamples() const
+{
+  vtkTypeInt64 samples = 0;
+  vtkTypeInt64 before = 0;
+  for (int level = 0; level < this->Counted; ++level)
+  {
+    const vtkTypeInt64 edge = this->IsHard ? 1 : (1 << level) + 1;
+    samples += this->Counts[level] * (edge * edge - before);
+    before = edge * edge;
+  }
+  return samples;
 }
 
 //------------------------------------------------------------------------------
@@ -114,6 +127,7 @@ void vtkCascadedSoftShadowPass::Refinement::Draw(vtkCascadedSoftShadowPass* self
   vtkOpenGLState* state = context.Window->GetState();
   state->PushFramebufferBindings();
   const bool count = plan.Pending == 0;
+  plan.WantsMore = false;
   if (count && !plan.Queries[0])
   {
     glGenQueries(Plan::MaximumCounts, plan.Queries.data());

@@ -39,16 +39,26 @@ public:
   {
     static constexpr int MaximumCounts = vtkShadowBorderGrid::LargestLevel + 2;
 
-    /// The last level to draw; negative: nothing is known.
+    /// The last level that pixels need; negative: nothing is known.
     int LastLevel = -1;
-    /// Pixels that needed each level, and that would have needed the one after the last.
+    /// The last level that may be drawn.
+    int LargestLevel = 0;
+    /// The light has no extent: its one level has one point.
+    bool IsHard = false;
+    /// Pixels that needed each of the Counted levels, and that would have needed the one after them.
     std::array<vtkTypeInt64, MaximumCounts> Counts = { {} };
+    int Counted = 0;
     std::array<unsigned int, MaximumCounts> Queries = { {} };
     int Pending = 0; // queries in flight
+    /// Pixels need more levels than the last draw had. Until the next one.
+    bool WantsMore = false;
 
-    int GetLastLevel(int largest) const;
-    /// Reads the queries if all of them are there. Returns true if it takes more levels than drawn.
-    bool Collect(vtkShadowQueryReader& reader, vtkTypeInt64 fewPixels, int largest);
+    /// The last level to draw.
+    int GetLastLevel() const;
+    /// Reads the queries if all of them are there.
+    void Collect(vtkShadowQueryReader& reader, vtkTypeInt64 fewPixels);
+    /// The points that all pixels together looked at.
+    vtkTypeInt64 GetNumberOfPixelSamples() const;
     void ReleaseGraphicsResources();
   };
 

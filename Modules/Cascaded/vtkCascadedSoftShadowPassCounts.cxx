@@ -3,7 +3,9 @@
 // What the occlusion queries of adaptive sampling say.
 #include "vtkCascadedSoftShadowPassInternals.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -28,40 +30,42 @@ void vtkCascadedSoftShadowPass::SetQueryReader(std::shared_ptr<vtkShadowQueryRea
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkCascadedSoftShadowPass::Refinement::Plan*>
+vtkCascadedSoftShadowPass::Internals::CollectCounts(const vtkCascadedSoftShadowPass* self)
+{
+  std::vector<Refinement::Plan*> plans;
+  for (auto& emitter : this->Emitters)
+  {
+    // What was drawn in earlier frames, a light that is off or a cascade more, is out of date.
+    const size_t count = emitter.second.Frame == this->Frame ? emitter.second.Cascades.size() : 0;
+    for (size_t i = 0; i < count; ++i)
+    {
+      emitter.second.Plans[i].Collect(*this->Reader, self->GetFewPixels());
+      plans.push_back(&emitter.second.Plans[i]);
+    }
+  }
+  return plans;
+}
+
+//------------------------------------------------------------------------------
 bool vtkCascadedSoftShadowPass::WantsVisibilityAnew()
 {
   if (!this->Adaptive)
   {
     return false;
   }
-  bool anew = false;
-  for (auto& emitter : this->Impl->Emitters)
-  {
-    for (Refinement::Plan& plan : emitter.second.Plans)
-    {
-      anew = plan.Collect(*this->Impl->Reader, this->GetFewPixels(), this->MaximumLevel) || anew;
-    }
-  }
-  return anew;
+  const std::vector<Refinement::Plan*> plans = this->Impl->CollectCounts(this);
+  return std::any_of(
+    plans.begin(), plans.end(), [](const Refinement::Plan* plan) { return plan->WantsMore; });
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkCascadedSoftShadowPass::GetNumberOfPixelSamples()
 {
   vtkTypeInt64 samples = 0;
-  for (auto& emitter : this->Impl->Emitters)
+  for (const Refinement::Plan* plan : this->Impl->CollectCounts(this))
   {
-    for (Refinement::Plan& plan : emitter.second.Plans)
-    {
-      plan.Collect(*this->Impl->Reader, this->GetFewPixels(), this->MaximumLevel);
-      vtkTypeInt64 before = 0;
-      for (int level = 0; level <= vtkShadowBorderGrid::LargestLevel; ++level)
-      {
-        const vtkTypeInt64 edge = (1 << level) + 1;
-        samples += plan.Counts[level] * (edge * edge - before);
-        before = edge * edge;
-      }
-    }
+    samples += plan->GetNumberOfPixelSamples();
   }
   return samples;
 }

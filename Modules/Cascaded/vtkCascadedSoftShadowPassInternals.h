@@ -65,6 +65,9 @@ public:
   void FindCascades(
     vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, EmitterMaps& emitter);
 
+  /// The adaptive plans of the last frame that drew visibility, with what has come back of their counts.
+  std::vector<Refinement::Plan*> CollectCounts(const vtkCascadedSoftShadowPass* self);
+
   const vtkSoftShadowSamples& FitGrid(vtkCascadedSoftShadowPass* self,
     const vtkSoftShadowContext& context, EmitterMaps& emitter, int k);
   const vtkSoftShadowSamples& FitLevel(vtkCascadedSoftShadowPass* self,

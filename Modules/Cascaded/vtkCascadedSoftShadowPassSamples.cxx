@@ -141,11 +141,12 @@ std::vector<size_t> vtkCascadedSoftShadowPass::AddSets(
   {
     return { add(impl.FitGrid(this, context, emitter, this->SampleEdges[cascade])) };
   }
-  const int largest = context.Emitter.HasExtent() ? this->MaximumLevel : 0;
   Refinement::Plan& plan = emitter.Plans[cascade];
-  plan.Collect(*impl.Reader, this->GetFewPixels(), largest);
+  plan.Collect(*impl.Reader, this->GetFewPixels());
+  plan.IsHard = !context.Emitter.HasExtent();
+  plan.LargestLevel = plan.IsHard ? 0 : this->MaximumLevel;
   std::vector<size_t> sets;
-  for (int level = 0; level <= plan.GetLastLevel(largest); ++level)
+  for (int level = 0; level <= plan.GetLastLevel(); ++level)
   {
     sets.push_back(add(impl.FitLevel(this, context, emitter, level)));
   }

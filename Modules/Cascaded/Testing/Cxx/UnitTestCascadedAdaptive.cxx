@@ -219,3 +219,88 @@ TEST(AdaptiveSampledPass, FramesDecideByEarlierCounts)
   UsePass(scene.Renderer, nullptr);
   adaptive->ReleaseGraphicsResources(window.Get());
 }
+
+// A light of one point has no finer grid to ask for: a still picture rests.
+TEST(AdaptiveSampledPass, AHardLightRests)
+{
+  const Scene scene = MakeRectangleScene(Weights::Mean);
+  scene.Light->SetShapeToPoint();
+  OffscreenWindow window(Width, Height);
+  window.Add(scene.Renderer);
+  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
+  adaptive->EarlyOutOff();
+  UsePass(scene.Renderer, adaptive);
+  window.Render();
+  window.Read();
+  const vtkTypeInt64 drawn = adaptive->GetStatistics().VisibilityFrames;
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    window.Render();
+    window.Read(); // the counts are back
+  }
+  EXPECT_EQ(adaptive->GetStatistics().VisibilityFrames, drawn);
+  // A point per pixel, not a grid's four.
+  EXPECT_EQ(adaptive->GetNumberOfPixelSamples(), adaptive->GetStatistics().PixelsFiltered);
+  UsePass(scene.Renderer, nullptr);
+  adaptive->ReleaseGraphicsResources(window.Get());
+}
+
+// What a light that is gone, or a cascade, has looked at counts no more.
+TEST(AdaptiveSampledPass, OnlyTheLastFramesPointsCount)
+{
+  const auto renderer = MakeAvenue(3.0);
+  Stage stage(renderer);
+  stage.Pass->AdaptiveOn();
+  stage.Pass->SetMapSize(256);
+  const auto count = [&]
+  {
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      stage.Render();
+      stage.Read(); // the counts are back
+    }
+    return stage.Pass->GetNumberOfPixelSamples();
+  };
+  stage.Pass->SetNumberOfCascades(1);
+  const vtkTypeInt64 single = count();
+  stage.Pass->SetNumberOfCascades(3);
+  EXPECT_NE(count(), single);
+  stage.Pass->SetNumberOfCascades(1);
+  EXPECT_EQ(count(), single);
+  vtkNew<vtkAreaLight> sun;
+  sun->PositionalOff();
+  sun->SetPosition(3.0, -1.0, 5.0);
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  sun->SetAngularDiameter(3.0);
+  renderer->AddLight(sun);
+  EXPECT_GT(count(), single);
+  sun->SwitchOff();
+  EXPECT_EQ(count(), single);
+}
+
+// Whoever reads the counts, a frame that drew too few levels is drawn anew, until it has enough.
+TEST(AdaptiveSampledPass, ARestingPictureGetsTheLevelsItNeeds)
+{
+  const Scene scene = MakeRectangleScene(Weights::Mean);
+  OffscreenWindow window(Width, Height);
+  window.Add(scene.Renderer);
+  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
+  adaptive->EarlyOutOff();
+  const auto reader = std::make_shared<KnowingReader>();
+  adaptive->SetQueryReader(reader);
+  UsePass(scene.Renderer, adaptive);
+  BakeAgain(scene, window, adaptive);
+  reader->Answer = 10000;
+  EXPECT_EQ(BakeAgain(scene, window, adaptive), 4); // nothing but the corners was needed
+  const vtkTypeInt64 baked = adaptive->GetStatistics().MapsBaked;
+  const vtkTypeInt64 drawn = adaptive->GetStatistics().VisibilityFrames;
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    adaptive->GetNumberOfPixelSamples();
+    window.Render();
+  }
+  EXPECT_EQ(adaptive->GetStatistics().MapsBaked, baked + 81 - 4);
+  EXPECT_EQ(adaptive->GetStatistics().VisibilityFrames, drawn + 3);
+  UsePass(scene.Renderer, nullptr);
+  adaptive->ReleaseGraphicsResources(window.Get());
+}
