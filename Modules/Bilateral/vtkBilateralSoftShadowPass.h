@@ -32,11 +32,12 @@
  * PAPER, FULL and ATROUS leave pixels alone whose mean is 0 or 1.
  *
  * Cost: a map per point, baked when casters or the light move; a lookup per point and pixel; the
- * filter: at most 2 x 9 taps, and a look for shadows around lit pixels, near penumbrae only. Limits: one distance of blockers per pixel, so
- * a sharp shadow inside a wide penumbra is blurred with it; a kernel is at most MaximumWidth wide.
+ * filter: twice a tap per pixel of the kernel's width, at most 33, and a look for shadows around lit
+ * pixels, near penumbrae only. Limits: one distance of blockers per pixel, so a sharp shadow inside a
+ * wide penumbra is blurred with it; a kernel is at most MaximumWidth wide.
  *
  * Error, RMSE of the visibility with 5 points, unfiltered and ADAPTIVE: 0.062 and 0.018 in the
- * penumbra of a rectangle (closed form); 0.024 and 0.015 on the bunny, 0.034 and 0.020 on the
+ * penumbra of a rectangle (closed form); 0.024 and 0.014 on the bunny, 0.034 and 0.019 on the
  * dragon, 0.063 and 0.029 under fourteen boards at several depths (ray tracing).
  *
  * @sa vtkSampledSoftShadowPass vtkBilateralLattice vtkSoftShadowScreenFilter
@@ -158,7 +159,7 @@ protected:
 
   void AddVisibility(const vtkSoftShadowContext& context) override;
   bool NeedsEmitterMap() const override { return false; }
-  /// A proved pixel would be missing among the taps of its neighbours.
+  /// A proof would take one more map, of the whole light, beside those of few points.
   int GetProof() const override { return PROVES_NOTHING; }
   bool HasGaussianWeights() const override;
   vtkTypeInt64 GetTechniqueBytes() override;
