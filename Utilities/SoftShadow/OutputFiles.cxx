@@ -39,29 +39,44 @@ bool IsSameFile(const std::string& a, const std::string& b)
     fs::weakly_canonical(fs::absolute(b), error);
 }
 
-/// A device or a pipe: it is written into, never replaced.
+/// What the process has open: "/dev/stdout" may lead to a file, and is none that could be replaced.
+bool IsOpenFile(const fs::path& path)
+{
+  std::error_code error;
+  const std::string folder = fs::weakly_canonical(fs::absolute(path).parent_path(), error).string();
+  return folder.rfind("/proc/", 0) == 0 || folder == "/dev/fd";
+}
+
+/// Where the file really is: what a link points at is replaced, not the link, even if it is not there
+/// yet. Links end at what the process has open.
+fs::path Resolve(const std::string& path)
+{
+  constexpr int mostLinks = 40; // as on Linux
+  fs::path place = path;
+  std::error_code error;
+  for (int i = 0; i < mostLinks && !IsOpenFile(place) && fs::is_symlink(place, error); ++i)
+  {
+    const fs::path target = fs::read_symlink(place, error);
+    if (error)
+    {
+      return place;
+    }
+    place = place.parent_path() / target; // an absolute target replaces it all
+  }
+  return place;
+}
+
+/// A device, a pipe or what is open: it is written into, never replaced.
 bool IsStream(const fs::path& path)
 {
   std::error_code error;
-  return fs::exists(path, error) && !fs::is_regular_file(path, error);
-}
-
-/// Where the file really is: what a link points at is replaced, not the link.
-fs::path Resolve(const std::string& path)
-{
-  std::error_code error;
-  if (!fs::is_symlink(path, error))
-  {
-    return path;
-  }
-  const fs::path target = fs::weakly_canonical(path, error);
-  return error ? fs::path(path) : target;
+  return IsOpenFile(path) || (fs::exists(path, error) && !fs::is_regular_file(path, error));
 }
 
 void CopyInto(const std::string& file, const std::string& stream)
 {
   std::ifstream from(file, std::ios::binary);
-  std::ofstream to(stream, std::ios::binary);
+  std::ofstream to(stream, std::ios::binary | std::ios::app); // keeps what an open file holds
   to << from.rdbuf();
   to.close();
   if (!from || !to)

@@ -19,8 +19,9 @@ namespace softshadows
 /**
  * Files are written under other names beside their places and moved there by Commit. Without Commit
  * nothing is left of them, and what was there before stays, also where a signal ends the process.
- * What a link points at is replaced, not the link. Devices and pipes are never replaced: Commit writes
- * into them, before it moves anything.
+ * What a link points at is replaced, not the link. Devices, pipes and what the process has open (a
+ * standard output that is a file) are never replaced: Commit writes at their end, before it moves
+ * anything.
  */
 class OutputFiles
 {

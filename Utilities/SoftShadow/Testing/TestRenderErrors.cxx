@@ -190,6 +190,29 @@ TEST_F(RenderFailures, AreNoneWhereAnOutputIsALinkOrAStream)
   EXPECT_TRUE(std::filesystem::exists("/dev/stdout"));
 }
 
+TEST_F(RenderFailures, AreNoneWhereTheTargetOfALinkIsYetToCome)
+{
+  this->Write("scene.json", Scene);
+  std::filesystem::create_directory(this->Folder / "deep");
+  std::filesystem::create_symlink("deep/second.json", this->Folder / "first.json");
+  std::filesystem::create_symlink("target.json", this->Folder / "deep" / "second.json");
+  EXPECT_EQ(this->Run("render scene.json --report first.json").ExitCode, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(this->Folder / "first.json"));
+  EXPECT_TRUE(std::filesystem::is_symlink(this->Folder / "deep" / "second.json"));
+  EXPECT_EQ(this->Read("deep/target.json").front(), '{');
+}
+
+// A log that the standard output is appended to.
+TEST_F(RenderFailures, KeepWhatAnOpenFileHolds)
+{
+  this->Write("scene.json", Scene);
+  this->Write("log", "before\n");
+  EXPECT_EQ(this->Run("render scene.json --report /dev/stdout >> log").ExitCode, 0);
+  const std::string log = this->Read("log");
+  EXPECT_EQ(log.find("before\n"), 0u) << log;
+  EXPECT_NE(log.find("\"technique\""), std::string::npos) << log;
+}
+
 #endif
 
 TEST_F(RenderFailures, AreNoneWhereHelpIsAskedFor)
