@@ -38,6 +38,8 @@ void vtkSoftShadowLightMaps::Fit(const vtkShadowEmitter& emitter, const vtkShado
   {
     Face face;
     face.Emitter = faceEmitter;
+    // Faces() goes through the axes two at a time.
+    face.Axis = faceEmitter.Face ? static_cast<int>(this->Faces.size() / 2) : -1;
     face.HasCasters = fitter.Fit(faceEmitter, face.View);
     face.Layer = layer;
     if (face.HasCasters)

@@ -47,6 +47,7 @@ public:
   struct Face : Part
   {
     int Layer = 0; // in FaceMaps, if it has casters
+    int Axis = -1; // of the cube, which a face of an omni light looks along
     std::vector<Part> Parts;
   };
 

@@ -230,6 +230,7 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
     return;
   }
   impl.Schedule.Reset();
+  impl.HasNews = false; // of a mean that is thrown away
   if (!this->Progressive)
   {
     this->ReleaseProgress(GetWindow(s));

@@ -173,7 +173,7 @@ bool vtkSoftShadowPass::AddPoint(vtkSoftShadowContext& context, int layer, int i
   for (size_t f = 0; f < faces.size(); ++f)
   {
     context.Emitter = faces[f].Emitter;
-    context.FaceAxis = faces[f].Emitter.Face ? static_cast<int>(f / 2) : -1;
+    context.FaceAxis = faces[f].Axis;
     const vtkSoftShadowSamples point = vtkSoftShadowPass::FitSamples(
       context, { vtkShadowLightSampling::PointOfSequence(context.Emitter, index, weights) });
     if (!point.Views.empty())

@@ -40,12 +40,6 @@ void ComposeToFloat(const double* a, const double* b, float matrix[16])
   }
 }
 
-// Which axis of the cube the face looks along: Faces() goes through the axes two at a time.
-int FindFaceAxis(const vtkShadowEmitter& face, size_t index)
-{
-  return face.Face ? static_cast<int>(index / 2) : -1;
-}
-
 // For vtkShadowPointSums.
 void SetDepthUniforms(vtkShaderProgram* program, const vtkShadowMapView* views, size_t count)
 {
@@ -133,7 +127,7 @@ void vtkSoftShadowPass::PrepareLight(vtkSoftShadowContext& context, int layer)
   context.Part = 0;
   for (size_t f = 0; f < faces.size(); ++f)
   {
-    context.FaceAxis = FindFaceAxis(faces[f].Emitter, f);
+    context.FaceAxis = faces[f].Axis;
     for (size_t p = 0; p < faces[f].Parts.size(); ++p)
     {
       context.Maps = maps.GetFaceMaps();
@@ -159,7 +153,7 @@ void vtkSoftShadowPass::EstimateLight(vtkSoftShadowContext& context, int layer)
   for (size_t f = 0; f < maps.GetFaces().size(); ++f)
   {
     const vtkSoftShadowLightMaps::Face& face = maps.GetFaces()[f];
-    context.FaceAxis = FindFaceAxis(face.Emitter, f);
+    context.FaceAxis = face.Axis;
     context.Emitter = face.Emitter;
     context.Maps = maps.GetFaceMaps();
     context.Pyramid = maps.GetFacePyramid();

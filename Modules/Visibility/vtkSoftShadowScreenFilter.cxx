@@ -50,6 +50,7 @@ public:
 private:
   double WorldToView[16];
 };
+
 // One step: its taps in pixels, or which edge of the cell it goes along.
 struct Step
 {

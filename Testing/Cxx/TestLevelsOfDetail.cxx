@@ -9,6 +9,7 @@
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
+#include "vtkCallbackCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkGenericRenderWindowInteractor.h"
 #include "vtkImageData.h"
@@ -202,4 +203,35 @@ TEST(LevelsOfDetail, ALevelThatIsSelectedCastsAtOnce)
   EXPECT_TRUE(Matches(second, scene.DrawFresh(), SameToRounding));
   body->SetSelectedLODID(fine);
   EXPECT_TRUE(Matches(scene.Draw(), first, SameToRounding));
+}
+
+//------------------------------------------------------------------------------
+// The frame in which a resting picture would be done is the one in which another level appears: it is
+// not done.
+TEST(LevelsOfDetail, AMeanOfTheLevelBeforeIsNoNews)
+{
+  LevelScene scene(MakeQuadricLODActor());
+  for (const double rate : { StillRate, 75.0, StillRate, StillRate })
+  {
+    scene.SetRate(rate);
+    scene.Draw(); // the level of detail is made, and all is as at rest
+  }
+  vtkSoftShadowPass* pass = scene.StageOfIt.GetPass();
+  pass->ProgressiveOn();
+  pass->SetProgressiveTolerance(1.0);
+  pass->SetProgressivePoints(1024);
+  int news = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&news);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  pass->AddObserver(vtkSoftShadowPass::ConvergedEvent, counter);
+  scene.Draw();
+  scene.SetRate(75.0);
+  scene.Draw();
+  EXPECT_TRUE(pass->GetRefining());
+  EXPECT_EQ(news, 0);
+  scene.Draw();
+  EXPECT_TRUE(pass->GetConverged());
+  EXPECT_EQ(news, 1);
 }
