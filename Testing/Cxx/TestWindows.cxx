@@ -87,6 +87,24 @@ Picture Capture(vtkRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+/// Makes the pixels beside the seams of four tiles black.
+void ForgetSeams(Picture& picture)
+{
+  const int reach = 4; // the edge of a block of pixels that share their rays
+  for (int y = 0; y < 2 * Height; ++y)
+  {
+    for (int x = 0; x < 2 * Width; ++x)
+    {
+      const bool beside = std::abs(x + 0.5 - Width) < reach || std::abs(y + 0.5 - Height) < reach;
+      for (int channel = 0; channel < 3 && beside; ++channel)
+      {
+        picture.At(x, y, channel) = 0.0f;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkTexture> MakeCheckers()
 {
   vtkNew<vtkImageData> image;
@@ -289,7 +307,8 @@ TEST_P(Windows, OpenAgain)
 }
 
 //------------------------------------------------------------------------------
-// A picture in tiles is the picture of a window of that size.
+// A picture in tiles is the picture of a window of that size. Where pixels ask their neighbours, those
+// beside a seam between tiles may be off by what the border of any picture costs.
 TEST_P(Windows, CaptureInTiles)
 {
   const BallScene scene = MakeBallScene();
@@ -304,7 +323,14 @@ TEST_P(Windows, CaptureInTiles)
   capture->SetScale(2);
   capture->ReadFrontBufferOff();
   capture->Update();
-  EXPECT_TRUE(Matches(PictureOf(capture->GetOutput()), expected, SameButForEdges));
+  Picture tiles = PictureOf(capture->GetOutput());
+  if (const double most = this->GetParam().LargestBorderError)
+  {
+    EXPECT_LT(Compare(tiles, expected, SameButForEdges).RootMeanSquare, most);
+    ForgetSeams(tiles);
+    ForgetSeams(expected);
+  }
+  EXPECT_TRUE(Matches(tiles, expected, SameButForEdges));
 }
 
 //------------------------------------------------------------------------------
