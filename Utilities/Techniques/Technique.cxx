@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -21,8 +22,9 @@ namespace
 
 std::string SpellNumber(double value)
 {
+  // Every digit of a whole number; others are settings that people wrote.
   std::ostringstream text;
-  text << value;
+  text << std::setprecision(value == std::floor(value) ? 10 : 6) << value;
   return text.str();
 }
 
@@ -65,8 +67,8 @@ double TechniqueOption::Parse(const std::string& text) const
 //--------------------------------------------------------------------------------------------------
 std::string TechniqueOption::Spell(double value) const
 {
-  const auto place = static_cast<std::size_t>(value);
-  return place < this->Choices.size() ? this->Choices[place] : SpellNumber(value);
+  return this->Choices.empty() ? SpellNumber(value)
+                               : this->Choices.at(static_cast<std::size_t>(value));
 }
 
 //--------------------------------------------------------------------------------------------------
