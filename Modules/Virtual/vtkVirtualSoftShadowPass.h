@@ -28,7 +28,7 @@
  * depth counts neither as lit nor as blocked; what is behind the receiver's plane is blocked; and a wide
  * kernel over tiles that are finer than it asked for takes several texels as one. RMSE of the
  * visibility: below 0.002 (Quality 2) on closed forms of one blocker depth; in the scenes of the
- * benchmark 0.005 to 0.03 in most, 0.07 on the terrain, 0.054 where blockers at many depths fuse under
+ * benchmark 0.005 to 0.03 in most, 0.06 on the terrain, 0.054 where blockers at many depths fuse under
  * a large light.
  */
 

@@ -29,10 +29,6 @@ uniform float largestKernel; // pixels
 // No surface asks for finer texels than one that the light meets at this cosine.
 const float leastFacing = 0.25;
 
-// Where less of the light is in front of a plane, it is too steep to tell near blockers from its own
-// depth; the horizon alone decides then.
-const float leastInFront = 0.65;
-
 // Octaves of distances from the receiver that are searched for blockers.
 const int mostShells = 12;
 
@@ -74,14 +70,16 @@ float shareOfBlock(vec2 center, vec2 image, vec2 block, float stride)
   return part.x * part.y / (4.0 * image.x * image.y);
 }
 
-// The least depth of a block may hide a blocker that no sample sees.
+// The least depth of a block may hide a blocker that no sample sees. It is the plane's own unless it is
+// in front of the plane everywhere in the block.
 void addPossible(MapPoint point, vec2 block, int level, vec2 pixelReach, inout Blockers blockers)
 {
   float stride = float(1 << level);
   float depth = texelFetch(depthPyramid, ivec3(ivec2(block) >> level, int(mapLayer)), level - 1).r;
-  vec2 middle = (block + 0.5 * stride) / depthMapSize;
-  float slope = dot(abs(point.gradient), vec2(0.5 * stride / depthMapSize));
-  if (depth < min(planeDepth(point, middle) + slope, point.std.z))
+  float plane = planeDepth(point, (block + 0.5 * stride) / depthMapSize);
+  float reach = dot(abs(point.gradient), vec2(0.5 * stride / depthMapSize)) + point.bias;
+  bool inFront = point.facesCenter ? depth < plane - reach : depth > plane + reach;
+  if (inFront && depth < point.std.z)
   {
     vec2 image = imageAt(point.std.z - depth, pixelReach);
     float share = shareOfBlock(point.std.xy * depthMapSize, image, block, stride);
@@ -130,7 +128,7 @@ void addShell(MapPoint point, float nearest, float farthest, bool isFirst, vec2 
 //
 // The nearer a blocker stands to the receiver, the smaller is the light's image at its depth: each
 // octave of distances is searched with as many samples, the last one texel by texel.
-float meanBlocker(MapPoint point, float farthest, vec2 pixelReach, bool isGrazed)
+float meanBlocker(MapPoint point, float farthest, vec2 pixelReach)
 {
   Blockers blockers = Blockers(vec2(0.0), vec2(0.0), vec2(0.0));
   float outer = farthest;
@@ -146,7 +144,7 @@ float meanBlocker(MapPoint point, float farthest, vec2 pixelReach, bool isGrazed
     outer *= 0.5;
   }
   vec2 sums = blockers.seen.y > 0.0 ? blockers.seen : blockers.possible;
-  if (sums.y == 0.0 && !isGrazed)
+  if (sums.y == 0.0)
   {
     sums = blockers.near;
   }
@@ -264,7 +262,7 @@ void main()
   }
   float inFront = shareInFront(point);
   mayBlock = mayBlock && inFront > 0.0;
-  float blocker = mayBlock ? meanBlocker(point, farthest, pixelReach, inFront < leastInFront) : -1.0;
+  float blocker = mayBlock ? meanBlocker(point, farthest, pixelReach) : -1.0;
   if (blocker < 0.0)
   {
     gl_FragData[0].w = VIRTUAL_LIT + inFront;

@@ -289,6 +289,31 @@ TEST(VirtualLatency, AMapThatMovedIsWaitedFor)
   EXPECT_EQ(Compare(moved, exact).Maximum, 0.0);
 }
 
+TEST(VirtualLatency, AFrameAfterATinyMoveOfTheLightIsThatOfAFreshPass)
+{
+  // At |x| = |y| a light without an up vector is between two choices of its axes: the least move may
+  // turn its rectangle, and with it the map.
+  for (const bool hasUp : { true, false })
+  {
+    const auto light = MakeLight(2.0, 2.0, 1.0);
+    light->SetSize(1.2, 0.4);
+    light->SetViewUp(0.0, hasUp ? 1.0 : 0.0, 0.0);
+    PlatesWindow window({ light });
+    const Picture first = window.Visibility();
+    light->SetPosition(2.0 + 1e-7, 2.0, 6.0);
+    const Picture moved = window.Visibility();
+    light->SetPosition(2.0, 2.0, 6.0);
+    EXPECT_EQ(Compare(window.Visibility(), first).Maximum, 0.0) << "up " << hasUp;
+    if (hasUp)
+    {
+      EXPECT_LT(Compare(moved, first).RootMeanSquare, 1e-3);
+    }
+    light->SetPosition(2.0 + 1e-7, 2.0, 6.0);
+    PlatesWindow fresh({ light });
+    EXPECT_EQ(Compare(moved, fresh.Visibility()).Maximum, 0.0) << "up " << hasUp;
+  }
+}
+
 TEST(VirtualLatency, LightsThatGoTakeTheirTilesAlong)
 {
   const std::vector<vtkSmartPointer<vtkAreaLight>> lights = ThreeLights();
