@@ -148,10 +148,11 @@ public:
   ///@{
   /**
    * Progressive mode: while neither scene, lights, camera, size nor settings change, each frame adds
-   * ProgressivePoints points of every light, in a low-discrepancy order and with a hard shadow each,
-   * to a running mean. The first frame is the technique's own. The first 64 points only measure the
-   * maps, and again whenever the maps grow; the mean takes over as the next 64 come. It converges to the truth whatever the technique. The mean depends on the number of
-   * its points, not on that of the frames. Any change starts it again. Default is off.
+   * ProgressivePoints points of every light, in a low-discrepancy order and with a hard shadow each, to
+   * a running mean. The first frame is the technique's own. The first 64 points only measure the maps,
+   * and again whenever the maps grow; the mean takes over as the next 64 come. It converges to the truth
+   * whatever the technique. The mean depends on the number of its points, not on that of the frames. Any
+   * change starts it again. Default is off.
    *
    * Frames are the application's to draw: while GetRefining() is true another one improves the
    * picture. Afterwards a frame costs what it costs without progressive mode, and what the mean needed
@@ -182,9 +183,9 @@ public:
   bool GetConverged() const;
 
   /**
-   * Whether another frame would improve the picture, as of the last one. False once converged, and also where no number
-   * of points can reach the tolerance because the maps, which grow to MapMemory and at most 4096
-   * texels, are too coarse for it.
+   * Whether another frame would improve the picture, as of the last one. False once converged, and also
+   * where no number of points can reach the tolerance because the maps, which grow to MapMemory and at
+   * most 4096 texels, are too coarse for it.
    */
   bool GetRefining() const;
 
@@ -307,7 +308,7 @@ protected:
 
   /**
    * Whether the technique would do better now although nothing changed: counts it did not wait for
-   * have come back. Asked once per frame. Default is no.
+   * have come back. Asked whenever visibility may be kept, which is mostly once per frame. Default is no.
    */
   virtual bool WantsVisibilityAnew() { return false; }
 

@@ -51,6 +51,18 @@ private:
   double WorldToView[16];
 };
 
+// A vector of the emitter's window, whose half extents are 1, in the world.
+std::array<double, 3> ExtentAlong(const vtkShadowEmitter& emitter, const double window[2])
+{
+  std::array<double, 3> extent;
+  for (int i = 0; i < 3; ++i)
+  {
+    extent[i] = window[0] * emitter.HalfSize[0] * emitter.AxisU[i] +
+      window[1] * emitter.HalfSize[1] * emitter.AxisV[i];
+  }
+  return extent;
+}
+
 // One step: its taps in pixels, or which edge of the cell it goes along.
 struct Step
 {
@@ -131,48 +143,48 @@ void SetTapUniforms(vtkShaderProgram* program, const Settings& settings, const S
   program->SetUniformf("domainDeviation", static_cast<float>(settings.DomainDeviation));
 }
 
-void SetCellUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
-  const Settings& settings, const Step& step)
+// The emitter in view coordinates, for the share of it in front of a plane and for how shadows move.
+void SetLightUniforms(vtkShaderProgram* program, const vtkShadowEmitter& emitter,
+  const ViewFrame& frame, bool weightedByPoints)
 {
-  const vtkShadowEmitter& emitter = context.Emitter;
-  const ViewFrame frame(context.Receivers->GetViewToWorld());
   // Towards the emitter: its centre, or against the direction of its light.
-  float direction[3];
   float light[3];
-  float axes[2][3];
-  frame.Transform(emitter.Direction.data(), 0.0, direction);
   if (emitter.Directional)
   {
-    std::transform(direction, direction + 3, light, std::negate<>());
+    frame.Transform(emitter.Direction.data(), 0.0, light);
+    std::transform(light, light + 3, light, std::negate<>());
   }
   else
   {
     frame.Transform(emitter.Center.data(), 1.0, light);
   }
-  double halfExtents[2][3];
-  for (int i = 0; i < 3; ++i)
+  const double windowAxes[2][2] = { { 1.0, 0.0 }, { 0.0, 1.0 } };
+  float axes[2][3];
+  for (int i = 0; i < 2; ++i)
   {
-    halfExtents[0][i] = emitter.HalfSize[0] * emitter.AxisU[i];
-    halfExtents[1][i] = emitter.HalfSize[1] * emitter.AxisV[i];
+    frame.Transform(ExtentAlong(emitter, windowAxes[i]).data(), 0.0, axes[i]);
   }
-  frame.Transform(halfExtents[0], 0.0, axes[0]);
-  frame.Transform(halfExtents[1], 0.0, axes[1]);
+  program->SetUniform3f("lightVs", light);
+  program->SetUniformf("positional", emitter.Directional ? 0.0f : 1.0f);
+  program->SetUniform3fv("lightAxesVs", 2, axes);
+  const int shape = emitter.Shape == vtkShadowEmitter::DISK ? 1 : 0;
+  program->SetUniformi("lightKind", weightedByPoints || !emitter.HasExtent() ? 2 : shape);
+}
+
+// One edge of each cell, and where the cells are.
+void SetEdgeUniforms(vtkShaderProgram* program, const vtkShadowEmitter& emitter,
+  const ViewFrame& frame, const std::vector<vtkSoftShadowScreenFilter::Cell>& all, int edge)
+{
   float edges[vtkSoftShadowScreenFilter::MaximumNumberOfCells][3];
   float bandSteps[vtkSoftShadowScreenFilter::MaximumNumberOfCells];
   float fadeIns[vtkSoftShadowScreenFilter::MaximumNumberOfCells][2];
   float fadeOuts[vtkSoftShadowScreenFilter::MaximumNumberOfCells][2];
-  const int cells = std::min(static_cast<int>(settings.Cells.size()),
+  const int cells = std::min(static_cast<int>(all.size()),
     static_cast<int>(vtkSoftShadowScreenFilter::MaximumNumberOfCells));
   for (int cell = 0; cell < cells; ++cell)
   {
-    const vtkSoftShadowScreenFilter::Cell& at = settings.Cells[cell];
-    const std::array<double, 2>& along = at.Edges[step.Edge];
-    double edge[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      edge[i] = along[0] * halfExtents[0][i] + along[1] * halfExtents[1][i];
-    }
-    frame.Transform(edge, 0.0, edges[cell]);
+    const vtkSoftShadowScreenFilter::Cell& at = all[cell];
+    frame.Transform(ExtentAlong(emitter, at.Edges[edge].data()).data(), 0.0, edges[cell]);
     bandSteps[cell] = static_cast<float>(at.BandStep);
     for (int i = 0; i < 2; ++i)
     {
@@ -185,6 +197,14 @@ void SetCellUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& cont
   program->SetUniform1fv("bandSteps", cells, bandSteps);
   program->SetUniform2fv("fadeIns", cells, fadeIns);
   program->SetUniform2fv("fadeOuts", cells, fadeOuts);
+}
+
+void SetCellUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
+  const Settings& settings, const Step& step)
+{
+  const ViewFrame frame(context.Receivers->GetViewToWorld());
+  SetLightUniforms(program, context.Emitter, frame, settings.WeightedByPoints);
+  SetEdgeUniforms(program, context.Emitter, frame, settings.Cells, step.Edge);
   const vtkMatrix4x4* projection =
     context.Renderer->GetActiveCamera()->GetProjectionTransformMatrix(
       context.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
@@ -194,11 +214,6 @@ void SetCellUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& cont
     viewToClip[4 * (i % 4) + i / 4] = static_cast<float>(projection->GetData()[i]);
   }
   program->SetUniformMatrix4x4("viewToClip", viewToClip);
-  program->SetUniform3f("lightVs", light);
-  program->SetUniformf("positional", emitter.Directional ? 0.0f : 1.0f);
-  program->SetUniform3fv("lightAxesVs", 2, axes);
-  const int shape = emitter.Shape == vtkShadowEmitter::DISK ? 1 : 0;
-  program->SetUniformi("lightKind", settings.WeightedByPoints || !emitter.HasExtent() ? 2 : shape);
   program->SetUniformf("maximumWidth", static_cast<float>(settings.MaximumWidth));
   program->SetUniformi("tileSize", GetTileSize(settings));
 }

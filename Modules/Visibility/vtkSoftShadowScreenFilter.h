@@ -101,10 +101,10 @@ public:
   vtkSoftShadowScreenFilter& operator=(const vtkSoftShadowScreenFilter&) = delete;
 
   /**
-   * Keeps what the bound framebuffer knows of pixels that are not marked (proved, or another
-   * emitter's): they are taps too. Binds the sums, of the receivers' size, for drawing, and clears them to (-1, 0, 0, 0). Blending
-   * and the depth test, with the context's marks, stay as a technique finds them. False, with
-   * nothing bound and an error, if there is no such texture.
+   * Keeps what the bound framebuffer knows of pixels that are not marked (proved, or another emitter's):
+   * they are taps too. Binds the sums, of the receivers' size, for drawing, and clears them to (-1, 0,
+   * 0, 0). Blending and the depth test, with the context's marks, stay as a technique finds them. False,
+   * with nothing bound and an error, if there is no such texture.
    */
   bool BeginSums(const vtkSoftShadowContext& context);
 
