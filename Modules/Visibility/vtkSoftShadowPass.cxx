@@ -2,25 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSoftShadowPass.h"
 
-#include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
-#include "vtkShadowDepthMaps.h"
+#include "vtkRenderer.h"
 #include "vtkShadowMapFitter.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowPassInternals.h"
 #include "vtkSoftShadowRendererDuties.h"
+#include "vtkSoftShadowScopedState.h"
 #include "vtkSoftShadowsOpenGL.h"
-#include "vtkTextureUnitManager.h"
 
-#include <algorithm>
-#include <limits>
-#include <sstream>
+#include <cstdint>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -30,62 +25,6 @@ vtkOpenGLRenderWindow* GetWindow(const vtkRenderState* s)
 {
   return static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
 }
-
-// All state that steps 2 to 4 change.
-struct ScopedState
-{
-  explicit ScopedState(vtkOpenGLState* state)
-    : State(state)
-    , Viewport(state)
-    , Scissor(state)
-    , ClearColor(state)
-    , ColorMask(state)
-    , DepthMask(state)
-    , DepthFunction(state)
-    , BlendFunction(state)
-    , ActiveTexture(state)
-    , Blend(state, GL_BLEND)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , CullFace(state, GL_CULL_FACE)
-    , ScissorTest(state, GL_SCISSOR_TEST)
-  {
-    glGetDoublev(GL_DEPTH_CLEAR_VALUE, &this->ClearDepth);
-  }
-  ~ScopedState() { this->State->vtkglClearDepth(this->ClearDepth); }
-  ScopedState(const ScopedState&) = delete;
-  ScopedState& operator=(const ScopedState&) = delete;
-
-  vtkOpenGLState* State;
-  double ClearDepth = 1.0;
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglScissor Scissor;
-  vtkOpenGLState::ScopedglClearColor ClearColor;
-  vtkOpenGLState::ScopedglColorMask ColorMask;
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglDepthFunc DepthFunction;
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
-  vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable CullFace;
-  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
-};
-
-// A texture unit that no texture of a mapper gets. Nothing is bound to it.
-struct ScopedTextureUnit
-{
-  explicit ScopedTextureUnit(vtkOpenGLState* state)
-    : Units(state->GetTextureUnitManager())
-    , Unit(this->Units->Allocate())
-  {
-  }
-  ~ScopedTextureUnit() { this->Units->Free(this->Unit); }
-  ScopedTextureUnit(const ScopedTextureUnit&) = delete;
-  ScopedTextureUnit& operator=(const ScopedTextureUnit&) = delete;
-
-  vtkTextureUnitManager* Units;
-  int Unit;
-};
 
 // Whatever window is at work: what lies in this one is freed in its own context.
 void ReleaseIn(vtkOpenGLRenderWindow* window, vtkSoftShadowPass* pass)
@@ -221,9 +160,8 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
   {
     if (this->GetRefining())
     {
-      ScopedState scope(GetWindow(s)->GetState());
-      const ScopedTextureUnit unit(GetWindow(s)->GetState());
-      impl.Hooks.VisibilityUnit = unit.Unit; // as below
+      const vtkSoftShadowScopedState scope(GetWindow(s)->GetState());
+      impl.Hooks.VisibilityUnit = scope.GetFreeUnit(); // as below
       impl.Timers.BeginStep("refinement");
       this->Refine(s);
     }
@@ -235,11 +173,10 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
   {
     this->ReleaseProgress(GetWindow(s));
   }
-  ScopedState scope(GetWindow(s)->GetState());
+  const vtkSoftShadowScopedState scope(GetWindow(s)->GetState());
   // The mappers' programs sample the visibility. Where they bake or draw receivers it is not read, but
   // its sampler must not share a unit with a sampler of another type: OpenGL draws nothing then.
-  const ScopedTextureUnit unit(GetWindow(s)->GetState());
-  impl.Hooks.VisibilityUnit = unit.Unit;
+  impl.Hooks.VisibilityUnit = scope.GetFreeUnit();
   impl.Timers.BeginStep("maps");
   this->BakeMaps(s);
   impl.Timers.BeginStep("receivers");
