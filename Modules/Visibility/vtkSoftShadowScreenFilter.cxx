@@ -250,7 +250,7 @@ bool vtkSoftShadowScreenFilter::BeginSums(const vtkSoftShadowContext& context)
 {
   const bool isKept = this->Impl->Textures.Copy(
     context.Window, context.Receivers->GetWidth(), context.Receivers->GetHeight());
-  this->Impl->SumsTarget.reset(new ScopedTarget(context.Window->GetState()));
+  this->Impl->SumsTarget = std::make_unique<ScopedTarget>(context.Window->GetState());
   if (isKept &&
     this->Impl->Textures.Begin(context.Window, Screen::SUMS, context.Receivers->GetWidth(),
       context.Receivers->GetHeight(), context.Marks))
