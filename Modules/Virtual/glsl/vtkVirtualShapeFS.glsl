@@ -48,8 +48,8 @@ vec2 overlap(vec2 low, vec2 high, vec2 from, vec2 to)
 }
 
 // Sums over blockers: linear depths, and the shares of the light that they hide, which are the weights.
-// near: those that the plane's own least depth within a texel might be taken for. possible: where only
-// blocks' least depths were met, which may be anywhere within the block: found, but seen by no sample.
+// near: those that the plane's own least depth within a texel or block might be taken for. possible: where
+// only blocks' least depths were met, which may be anywhere within the block: found, but seen by no sample.
 struct Blockers
 {
   vec2 seen;
@@ -70,20 +70,22 @@ float shareOfBlock(vec2 center, vec2 image, vec2 block, float stride)
   return part.x * part.y / (4.0 * image.x * image.y);
 }
 
-// The least depth of a block may hide a blocker that no sample sees. It is the plane's own unless it is
-// in front of the plane everywhere in the block.
+// The least depth of a block may hide a blocker that no sample sees. It is one for sure if it is in front
+// of the plane everywhere in the block; else it may be the plane's own.
 void addPossible(MapPoint point, vec2 block, int level, vec2 pixelReach, inout Blockers blockers)
 {
   float stride = float(1 << level);
   float depth = texelFetch(depthPyramid, ivec3(ivec2(block) >> level, int(mapLayer)), level - 1).r;
   float plane = planeDepth(point, (block + 0.5 * stride) / depthMapSize);
   float reach = dot(abs(point.gradient), vec2(0.5 * stride / depthMapSize)) + point.bias;
-  bool inFront = point.facesCenter ? depth < plane - reach : depth > plane + reach;
-  if (inFront && depth < point.std.z)
+  if (depth < point.std.z && (depth < plane + reach || !point.facesCenter))
   {
+    bool inFront = point.facesCenter ? depth < plane - reach : depth > plane + reach;
     vec2 image = imageAt(point.std.z - depth, pixelReach);
     float share = shareOfBlock(point.std.xy * depthMapSize, image, block, stride);
-    blockers.possible += share * vec2(linearDepth(depth), 1.0);
+    vec2 sums = share * vec2(linearDepth(depth), 1.0);
+    blockers.possible += inFront ? sums : vec2(0.0);
+    blockers.near += inFront ? vec2(0.0) : sums;
   }
 }
 
