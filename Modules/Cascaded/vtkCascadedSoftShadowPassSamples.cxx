@@ -30,7 +30,7 @@ vtkSoftShadowSamples Cut(const vtkSoftShadowSamples& fits,
     vtkShadowMapView view = fits.Views[i];
     if (!fitToView ||
       vtkShadowCascadeWindow::Cut(
-        cascade.Center, cascade.Radius, mapSize, filterSize / 2 + 1, cell, view))
+        cascade.Center, cascade.Radius, cascade.Corners, mapSize, filterSize / 2 + 1, cell, view))
     {
       samples.Views.push_back(view);
       samples.Weights.push_back(fits.Weights[i]);

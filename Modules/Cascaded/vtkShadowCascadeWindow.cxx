@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr double StepsPerOctave = 4.0; // of the window's edge
+constexpr double StepsPerOctave = 8.0; // of the window's edge
 constexpr double WidestAngle = 85.0;   // degrees; the fitter's limit too
+constexpr double NearestShare = 1e-3;  // of the near distance: nothing nearer bounds a window
 
 struct Range
 {
@@ -45,11 +47,45 @@ bool Project(double across, double along, double radius, bool directional, Range
   return true;
 }
 
+// Cuts both ranges to what the light sees of the corners' hull, if that is bounded by their projections.
+void CutToHull(
+  const std::vector<std::array<double, 3>>& corners, const vtkShadowMapView& view, Range (&ranges)[2])
+{
+  const auto worldToEmitter = view.Emitter.WorldToEmitter();
+  const double infinity = std::numeric_limits<double>::infinity();
+  Range seen[2] = { { infinity, -infinity }, { infinity, -infinity } };
+  for (const auto& corner : corners)
+  {
+    const double world[4] = { corner[0], corner[1], corner[2], 1.0 };
+    double p[4];
+    vtkMatrix4x4::MultiplyPoint(worldToEmitter.data(), world, p);
+    if (!view.Emitter.Directional && p[2] < NearestShare * view.Near)
+    {
+      return;
+    }
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double place = view.Emitter.Directional ? p[axis] : p[axis] / p[2];
+      seen[axis].Low = std::min(seen[axis].Low, place);
+      seen[axis].High = std::max(seen[axis].High, place);
+    }
+  }
+  for (int axis = 0; axis < 2 && !corners.empty(); ++axis)
+  {
+    const double low = std::max(ranges[axis].Low, seen[axis].Low);
+    const double high = std::min(ranges[axis].High, seen[axis].High);
+    // What rounding makes empty stays as it was.
+    ranges[axis] = low < high ? Range{ low, high } : ranges[axis];
+  }
+}
+
 // Cuts a window's edge [low, high] to the range; false if they are apart.
 bool CutEdge(const Range& range, int resolution, int border, double& low, double& high)
 {
   const double fitted = high - low;
-  const double wanted = (range.High - range.Low) / (1.0 - 2.0 * (border + 1.0) / resolution);
+  const Range needed = { std::max(range.Low, low), std::min(range.High, high) };
+  const double wanted = std::max(needed.High - needed.Low, 1.0 / resolution * fitted) /
+    (1.0 - 2.0 * (border + 1.0) / resolution);
   // In steps from the fit's own edge, so that neither the scene's scale nor its place matters.
   const double steps = std::floor(StepsPerOctave * std::log2(fitted / wanted));
   const double edge = fitted * std::exp2(-std::max(steps, 0.0) / StepsPerOctave);
@@ -63,7 +99,7 @@ bool CutEdge(const Range& range, int resolution, int border, double& low, double
     return true;
   }
   // The first texel of the window, in a grid from the fit's edge on.
-  const double middle = 0.5 * (range.Low + range.High);
+  const double middle = 0.5 * (needed.Low + needed.High);
   const double last = std::ceil(fitted / texel) - resolution;
   const double first =
     std::min(std::max(std::floor((middle - low) / texel) - resolution / 2, 0.0), last);
@@ -83,8 +119,9 @@ double FindBlur(const vtkShadowMapView& view, double farthest)
 } // namespace
 
 //------------------------------------------------------------------------------
-bool vtkShadowCascadeWindow::Cut(const std::array<double, 3>& center, double radius, int resolution,
-  int border, const std::array<double, 2>& cell, vtkShadowMapView& view)
+bool vtkShadowCascadeWindow::Cut(const std::array<double, 3>& center, double radius,
+  const std::vector<std::array<double, 3>>& corners, int resolution, int border,
+  const std::array<double, 2>& cell, vtkShadowMapView& view)
 {
   const double world[4] = { center[0], center[1], center[2], 1.0 };
   double p[4];
@@ -98,6 +135,10 @@ bool vtkShadowCascadeWindow::Cut(const std::array<double, 3>& center, double rad
       // The light is among the receivers, or sees them too far aside.
       return true;
     }
+  }
+  CutToHull(corners, view, ranges);
+  for (int axis = 0; axis < 2; ++axis)
+  {
     const double beside = cell[axis] * FindBlur(view, p[2] + radius);
     ranges[axis].Low -= beside;
     ranges[axis].High += beside;

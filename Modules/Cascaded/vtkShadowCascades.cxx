@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -125,6 +126,28 @@ double FindSize(const std::vector<vtkShadowCasters::Body>& bodies)
     squares += (high - low) * (high - low);
   }
   return squares > 0.0 ? std::sqrt(squares) : 1.0;
+}
+
+// The box around all bodies that receive, a bit larger: what is drawn are floats.
+std::array<double, 6> FindReceivers(const std::vector<vtkShadowCasters::Body>& bodies)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 6> box = { { infinity, -infinity, infinity, -infinity, infinity, -infinity } };
+  for (const vtkShadowCasters::Body& body : bodies)
+  {
+    for (int i = 0; body.Receives && i < 6; i += 2)
+    {
+      box[i] = std::min(box[i], body.Bounds[i]);
+      box[i + 1] = std::max(box[i + 1], body.Bounds[i + 1]);
+    }
+  }
+  const double margin = DepthTolerance * FindSize(bodies);
+  for (int i = 0; i < 6; i += 2)
+  {
+    box[i] -= margin;
+    box[i + 1] += margin;
+  }
+  return box;
 }
 
 // Half the width of the band around each inner split; 0 at the ends.
@@ -265,9 +288,14 @@ std::vector<Cascade> vtkShadowCascades::Find(const std::vector<vtkShadowCasters:
     const Interval band2 = std::minmax(cascades[i - 1].Covered.second, cascades[i].Covered.first);
     cascades[i - 1].FadeOut = cascades[i].FadeIn = band2;
   }
+  const std::array<double, 6> receivers = FindReceivers(bodies);
   for (Cascade& cascade : cascades)
   {
     FitSphere(frustum, cascade);
+    if (!depths.empty())
+    {
+      cascade.Corners = frustum.FindCorners(cascade.Covered, receivers);
+    }
   }
   return cascades;
 }

@@ -45,6 +45,9 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascades
     /// Centre and radius of the sphere around the covered part of the view, in world coordinates.
     std::array<double, 3> Center = { { 0.0, 0.0, 0.0 } };
     double Radius = 0.0;
+    /// The corners of what it covers of the box around all receivers, in world coordinates; none if they
+    /// are unknown.
+    std::vector<std::array<double, 3>> Corners;
     /// False if nothing that can be seen lies behind a caster: it takes no maps.
     bool Occupied = true;
   };

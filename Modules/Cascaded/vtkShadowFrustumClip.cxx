@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -268,5 +269,53 @@ void vtkShadowFrustumClip::FindBoxDepths(
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Each corner lies on a face of the frustum's part that is cut by the box, or on one of the box.
+std::vector<Point> vtkShadowFrustumClip::FindCorners(
+  const std::pair<double, double>& depths, const std::array<double, 6>& bounds) const
+{
+  std::vector<Plane> part(this->Planes.begin(), this->Planes.begin() + 4);
+  part.push_back(this->WorldToDepth);
+  part.back()[3] -= depths.first;
+  part.push_back({ { -this->WorldToDepth[0], -this->WorldToDepth[1], -this->WorldToDepth[2],
+    depths.second - this->WorldToDepth[3] } });
+  std::vector<Plane> box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Plane low = { { 0.0, 0.0, 0.0, -bounds[2 * axis] } };
+    Plane high = { { 0.0, 0.0, 0.0, bounds[2 * axis + 1] } };
+    low[axis] = 1.0;
+    high[axis] = -1.0;
+    box.push_back(low);
+    box.push_back(high);
+  }
+  std::vector<Point> corners;
+  const auto add = [&corners](Polygon polygon, const std::vector<Plane>& planes)
+  {
+    ClipAll(polygon, planes);
+    corners.insert(
+      corners.end(), polygon.Vertices.begin(), polygon.Vertices.begin() + polygon.Count);
+  };
+  for (int face = 0; face < 6; ++face)
+  {
+    add(FaceOf(bounds, face / 2, face % 2), part);
+  }
+  Polygon ends[2];
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    const Point corner[4] = { this->CornerAt(edge, depths.first),
+      this->CornerAt((edge + 1) % 4, depths.first), this->CornerAt((edge + 1) % 4, depths.second),
+      this->CornerAt(edge, depths.second) };
+    Polygon side;
+    std::for_each(std::begin(corner), std::end(corner), [&side](const Point& p) { side.Add(p); });
+    add(side, box);
+    ends[0].Add(corner[0]);
+    ends[1].Add(corner[3]);
+  }
+  add(ends[0], box);
+  add(ends[1], box);
+  return corners;
 }
 VTK_ABI_NAMESPACE_END

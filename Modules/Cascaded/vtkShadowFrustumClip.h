@@ -36,6 +36,13 @@ public:
    */
   bool FindDepths(const vtkShadowCasters::Body& body, std::pair<double, double>& depths) const;
 
+  /**
+   * The corners of what the frustum holds of a box (xmin, xmax, ymin, ...) between two depths: all of it lies
+   * between them. None if that is nothing.
+   */
+  std::vector<std::array<double, 3>> FindCorners(
+    const std::pair<double, double>& depths, const std::array<double, 6>& bounds) const;
+
   /// Depths of the near and the far plane.
   std::pair<double, double> GetDepths() const;
 

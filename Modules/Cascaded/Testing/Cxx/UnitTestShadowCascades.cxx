@@ -315,7 +315,7 @@ TEST(ShadowCascadeWindow, MovesByWholeTexels)
   {
     const std::array<double, 3> center = { { 3.0 + 0.0371 * step, 5.0 - 0.0713 * step, 1.0 } };
     vtkShadowMapView view = MakeSunView();
-    ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 7.0, resolution, 3, { { 0.0, 0.0 } }, view));
+    ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 7.0, {}, resolution, 3, { { 0.0, 0.0 } }, view));
     const double size = view.Window[1] - view.Window[0];
     if (step > 0)
     {
@@ -343,7 +343,7 @@ TEST(ShadowCascadeWindow, KeepsAFitThatIsSmaller)
   vtkShadowMapView view = MakeSunView();
   const vtkShadowMapView fit = view;
   EXPECT_TRUE(
-    vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, 0.0 } }, 700.0, 512, 3, { { 0.0, 0.0 } }, view));
+    vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, 0.0 } }, 700.0, {}, 512, 3, { { 0.0, 0.0 } }, view));
   EXPECT_TRUE(view == fit);
 }
 
@@ -351,9 +351,9 @@ TEST(ShadowCascadeWindow, NoCasterInFrontOfTheSphereNeedsNoMap)
 {
   vtkShadowMapView view = MakeSunView();
   EXPECT_FALSE(
-    vtkShadowCascadeWindow::Cut({ { 600.0, 0.0, 0.0 } }, 50.0, 512, 3, { { 0.0, 0.0 } }, view));
+    vtkShadowCascadeWindow::Cut({ { 600.0, 0.0, 0.0 } }, 50.0, {}, 512, 3, { { 0.0, 0.0 } }, view));
   EXPECT_TRUE(
-    vtkShadowCascadeWindow::Cut({ { 549.0, 0.0, 0.0 } }, 50.0, 512, 3, { { 0.0, 0.0 } }, view));
+    vtkShadowCascadeWindow::Cut({ { 549.0, 0.0, 0.0 } }, 50.0, {}, 512, 3, { { 0.0, 0.0 } }, view));
 }
 
 // What a lamp sees of the sphere, by points on it.
@@ -365,7 +365,7 @@ TEST(ShadowCascadeWindow, ALampsWindowHoldsTheSphere)
   fit.Far = 100.0;
   const std::array<double, 3> center = { { 3.0, -2.0, -6.0 } };
   vtkShadowMapView view = fit;
-  ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 2.0, 1024, 3, { { 0.0, 0.0 } }, view));
+  ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 2.0, {}, 1024, 3, { { 0.0, 0.0 } }, view));
   EXPECT_LT(view.Window[1] - view.Window[0], 4.0);
   for (int i = 0; i < 1000; ++i)
   {
@@ -384,7 +384,7 @@ TEST(ShadowCascadeWindow, ALampsWindowHoldsTheSphere)
   // A lamp inside the sphere looks everywhere.
   view = fit;
   EXPECT_TRUE(
-    vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, -1.0 } }, 2.0, 1024, 3, { { 0.0, 0.0 } }, view));
+    vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, -1.0 } }, 2.0, {}, 1024, 3, { { 0.0, 0.0 } }, view));
   EXPECT_TRUE(view == fit);
 }
 
