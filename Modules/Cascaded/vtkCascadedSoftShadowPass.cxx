@@ -49,10 +49,10 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
     emitter.BodiesTime = context.Casters->GetBodiesTime();
     emitter.Fits.clear();
   }
+  emitter.Maps.Begin(this->MapSize);
   impl.FindCascades(this, context, emitter);
   emitter.Cascades = impl.Cascades;
   emitter.Frame = impl.Frame = this->ChangeStatistics().VisibilityFrames;
-  emitter.Maps.Begin(this->MapSize);
   std::vector<std::vector<size_t>> sets; // per cascade
   for (size_t i = 0; i < impl.Cascades.size(); ++i)
   {

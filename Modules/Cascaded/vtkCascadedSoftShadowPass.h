@@ -80,7 +80,7 @@ public:
   /**
    * Share of the logarithmic in the split scheme, in [0, 1]; the rest is uniform. 1 gives every
    * cascade the same resolution on the screen and tiny near cascades. A parallel camera is always
-   * split uniformly. Default is 0.5.
+   * split uniformly. Default is 0.7.
    */
   vtkSetClampMacro(SplitLambda, double, 0.0, 1.0);
   vtkGetMacro(SplitLambda, double);
@@ -262,7 +262,7 @@ protected:
   int GetTechniqueShaderBuilds() override;
 
   int NumberOfCascades = 3;
-  double SplitLambda = 0.5;
+  double SplitLambda = 0.7;
   double BlendBand = 0.2;
   std::array<int, MaximumNumberOfCascades> SampleEdges = { { 4, 3, 2, 2 } };
   std::array<int, MaximumNumberOfCascades> Resolutions = { { HIGH, HIGH, MEDIUM, MEDIUM } };

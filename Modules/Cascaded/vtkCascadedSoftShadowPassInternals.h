@@ -68,6 +68,10 @@ public:
   /// The adaptive plans of the last frame that drew visibility, with what has come back of their counts.
   std::vector<Refinement::Plan*> CollectCounts(const vtkCascadedSoftShadowPass* self);
 
+  /// Joins cascades to a nearer one whose maps show all that theirs would, no coarser.
+  void JoinCascades(
+    vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, EmitterMaps& emitter);
+
   const vtkSoftShadowSamples& FitGrid(vtkCascadedSoftShadowPass* self,
     const vtkSoftShadowContext& context, EmitterMaps& emitter, int k);
   const vtkSoftShadowSamples& FitLevel(vtkCascadedSoftShadowPass* self,

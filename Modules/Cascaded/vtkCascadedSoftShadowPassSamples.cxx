@@ -43,6 +43,21 @@ vtkSoftShadowSamples Cut(const vtkSoftShadowSamples& fits,
   return samples;
 }
 
+// Whether a cascade's maps show as much as the fits, which are all that can be shown.
+bool ShowsAll(
+  const vtkSoftShadowSamples& fits, const vtkShadowCascades::Cascade& cascade, int mapSize)
+{
+  return cascade.Occupied &&
+    std::all_of(fits.Views.begin(), fits.Views.end(),
+      [&cascade, mapSize](const vtkShadowMapView& fit)
+      {
+        vtkShadowMapView view = fit;
+        return vtkShadowCascadeWindow::Cut(cascade.Center, cascade.Radius, cascade.Corners, mapSize,
+                 2, { { 0.0, 0.0 } }, view) &&
+          view.Window == fit.Window;
+      });
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -116,6 +131,35 @@ void vtkCascadedSoftShadowPass::Internals::FindCascades(
   }
   this->Cascades = vtkShadowCascades::Find(
     context.Casters->GetBodies(), view, self->NumberOfCascades, self->SplitLambda, self->BlendBand);
+  if (!self->Adaptive && self->FitToView)
+  {
+    this->JoinCascades(self, context, emitter);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::Internals::JoinCascades(
+  vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, EmitterMaps& emitter)
+{
+  for (size_t i = 0; i + 1 < this->Cascades.size(); ++i)
+  {
+    bool isFinest = true;
+    for (size_t j = i + 1; j < this->Cascades.size(); ++j)
+    {
+      isFinest = isFinest && self->SampleEdges[j] <= self->SampleEdges[i] &&
+        self->Resolutions[j] >= self->Resolutions[i];
+    }
+    const vtkSoftShadowSamples& fits = this->FitGrid(self, context, emitter, self->SampleEdges[i]);
+    if (isFinest &&
+      ShowsAll(fits, this->Cascades[i], emitter.Maps.GetMapSize(self->Resolutions[i])))
+    {
+      for (size_t j = i + 1; j < this->Cascades.size(); ++j)
+      {
+        vtkShadowCascades::Join(this->Cascades[i], this->Cascades[j]);
+      }
+      this->Cascades.resize(i + 1);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -12,9 +12,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr double StepsPerOctave = 8.0; // of the window's edge
-constexpr double WidestAngle = 85.0;   // degrees; the fitter's limit too
-constexpr double NearestShare = 1e-3;  // of the near distance: nothing nearer bounds a window
+constexpr double StepsPerOctave = 8.0;  // of the window's edge
+constexpr double WidestAngle = 85.0;    // degrees; the fitter's limit too
+constexpr double NarrowestShare = 1e-6; // of the fit: no window is narrower
+constexpr double NearestShare = 1e-3;   // of the near distance: nothing nearer bounds a window
 
 struct Range
 {
@@ -48,8 +49,8 @@ bool Project(double across, double along, double radius, bool directional, Range
 }
 
 // Cuts both ranges to what the light sees of the corners' hull, if that is bounded by their projections.
-void CutToHull(
-  const std::vector<std::array<double, 3>>& corners, const vtkShadowMapView& view, Range (&ranges)[2])
+void CutToHull(const std::vector<std::array<double, 3>>& corners, const vtkShadowMapView& view,
+  Range (&ranges)[2])
 {
   const auto worldToEmitter = view.Emitter.WorldToEmitter();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -84,7 +85,7 @@ bool CutEdge(const Range& range, int resolution, int border, double& low, double
 {
   const double fitted = high - low;
   const Range needed = { std::max(range.Low, low), std::min(range.High, high) };
-  const double wanted = std::max(needed.High - needed.Low, 1.0 / resolution * fitted) /
+  const double wanted = std::max(needed.High - needed.Low, NarrowestShare * fitted) /
     (1.0 - 2.0 * (border + 1.0) / resolution);
   // In steps from the fit's own edge, so that neither the scene's scale nor its place matters.
   const double steps = std::floor(StepsPerOctave * std::log2(fitted / wanted));

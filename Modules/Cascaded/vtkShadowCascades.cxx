@@ -301,6 +301,22 @@ std::vector<Cascade> vtkShadowCascades::Find(const std::vector<vtkShadowCasters:
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowCascades::Join(Cascade& cascade, const Cascade& next)
+{
+  cascade.Covered.second = std::max(cascade.Covered.second, next.Covered.second);
+  cascade.FadeOut = next.FadeOut;
+  cascade.Radius = std::max(cascade.Radius, Distance(cascade.Center, next.Center) + next.Radius);
+  if (cascade.Corners.empty() || next.Corners.empty())
+  {
+    cascade.Corners.clear();
+  }
+  else
+  {
+    cascade.Corners.insert(cascade.Corners.end(), next.Corners.begin(), next.Corners.end());
+  }
+}
+
+//------------------------------------------------------------------------------
 double vtkShadowCascades::Weight(const Cascade& cascade, double depth)
 {
   const auto smooth = [depth](const Interval& band)

@@ -98,6 +98,9 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascades
   static std::vector<Cascade> Find(const std::vector<vtkShadowCasters::Body>& bodies,
     const View& view, int count, double lambda, double band);
 
+  /// Adds the next cascade to one: what it covers, and its fading out.
+  static void Join(Cascade& cascade, const Cascade& next);
+
   /// The weight of a cascade at a depth, as in the shader.
   static double Weight(const Cascade& cascade, double depth);
 };

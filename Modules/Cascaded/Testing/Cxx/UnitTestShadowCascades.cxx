@@ -271,6 +271,51 @@ TEST(ShadowCascades, TheSphereHoldsAllThatTheCascadeShades)
   }
 }
 
+// What is seen of the receivers' box, and no more: not what lies below the ground.
+TEST(ShadowCascades, CornersBoundWhatReceives)
+{
+  const auto camera = MakeCamera();
+  const auto cascades =
+    vtkShadowCascades::Find({ MakeGround(-2.0, 0.0, 300.0) }, ViewOf(camera), 3, 0.5, 0.2);
+  ASSERT_EQ(cascades.size(), 3u);
+  for (const Cascade& cascade : cascades)
+  {
+    ASSERT_FALSE(cascade.Corners.empty());
+    double nearest = 1e9;
+    double farthest = 0.0;
+    for (const auto& corner : cascade.Corners)
+    {
+      EXPECT_NEAR(corner[2], -2.0, 0.03); // 1e-5 of the ground
+      nearest = std::min(nearest, corner[1]);
+      farthest = std::max(farthest, corner[1]);
+    }
+    EXPECT_GE(nearest, cascade.Covered.first * (1.0 - 1e-6));
+    EXPECT_NEAR(farthest, std::min(cascade.Covered.second, 300.0), 0.001 * cascade.Covered.second);
+  }
+}
+
+// One cascade for all depths, whose sphere holds what the others' did.
+TEST(ShadowCascades, JoinsNeighbours)
+{
+  const auto camera = MakeCamera();
+  const auto cascades =
+    vtkShadowCascades::Find({ MakeGround(-2.0, 0.0, 300.0) }, ViewOf(camera), 3, 0.5, 0.2);
+  Cascade joined = cascades[0];
+  vtkShadowCascades::Join(joined, cascades[1]);
+  vtkShadowCascades::Join(joined, cascades[2]);
+  EXPECT_DOUBLE_EQ(joined.Covered.second, cascades[2].Covered.second);
+  for (int i = 0; i <= 300; ++i)
+  {
+    EXPECT_DOUBLE_EQ(vtkShadowCascades::Weight(joined, i), 1.0) << "depth " << i;
+  }
+  for (const Cascade& cascade : cascades)
+  {
+    EXPECT_GE(joined.Radius * (1.0 + 1e-12),
+      cascade.Radius +
+        std::sqrt(vtkMath::Distance2BetweenPoints(joined.Center.data(), cascade.Center.data())));
+  }
+}
+
 // A walk changes neither the splits nor the spheres' sizes, but at a few places.
 TEST(ShadowCascades, AWalkKeepsTheSpheres)
 {
@@ -315,7 +360,8 @@ TEST(ShadowCascadeWindow, MovesByWholeTexels)
   {
     const std::array<double, 3> center = { { 3.0 + 0.0371 * step, 5.0 - 0.0713 * step, 1.0 } };
     vtkShadowMapView view = MakeSunView();
-    ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 7.0, {}, resolution, 3, { { 0.0, 0.0 } }, view));
+    ASSERT_TRUE(
+      vtkShadowCascadeWindow::Cut(center, 7.0, {}, resolution, 3, { { 0.0, 0.0 } }, view));
     const double size = view.Window[1] - view.Window[0];
     if (step > 0)
     {
@@ -335,6 +381,34 @@ TEST(ShadowCascadeWindow, MovesByWholeTexels)
     }
     EXPECT_DOUBLE_EQ(view.Near, -100.0);
     EXPECT_DOUBLE_EQ(view.Far, 100.0);
+  }
+}
+
+// Where less receives than the sphere holds, the window is smaller: it holds the corners and its border.
+TEST(ShadowCascadeWindow, IsCutToTheCorners)
+{
+  constexpr int resolution = 512;
+  std::vector<std::array<double, 3>> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners.push_back({ { i & 1 ? 4.0 : 2.0, i & 2 ? 6.0 : 5.0, i & 4 ? 0.5 : 0.0 } });
+  }
+  vtkShadowMapView view = MakeSunView();
+  ASSERT_TRUE(vtkShadowCascadeWindow::Cut(
+    { { 3.0, 5.0, 0.0 } }, 7.0, corners, resolution, 3, { { 0.0, 0.0 } }, view));
+  EXPECT_LT(view.Window[1] - view.Window[0], 2.0 * 1.2);
+  EXPECT_LT(view.Window[3] - view.Window[2], 1.2 * 1.2);
+  const double border = 3.0 / resolution;
+  for (const auto& corner : corners)
+  {
+    const double world[4] = { corner[0], corner[1], corner[2], 1.0 };
+    double map[4];
+    vtkMatrix4x4::MultiplyPoint(view.WorldToMap().data(), world, map);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      ASSERT_GE(map[axis], border - 1e-9);
+      ASSERT_LE(map[axis], 1.0 - border + 1e-9);
+    }
   }
 }
 
