@@ -60,10 +60,19 @@ void main()
   // The plane of the triangle. Seen edge-on it has no depth to interpolate: the least one holds.
   vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]) +
     cross(corners[2] - corners[0], corners[3] - corners[0]);
-  vec2 gradient = abs(normal.z) > 1e-12 ? -normal.xy / normal.z : vec2(0.0);
-  float depth0 = abs(normal.z) > 1e-12
-    ? corners[0].z - dot(gradient, corners[0].xy)
-    : low.z;
+  // From the corners before they were cut and divided: a cut one may lie so far outside that nothing of
+  // the plane's depth within the map would be left.
+  vec4 p = gl_in[0].gl_Position;
+  vec4 u = gl_in[1].gl_Position - p;
+  vec4 v = gl_in[2].gl_Position - p;
+  vec3 across = cross(u.xyw, v.xyw);
+  float volume = dot(p.xyw, across);
+  bool isFaced = abs(normal.z) > 1e-12 && volume != 0.0;
+  vec3 plane = isFaced
+    ? (p.z * across + u.z * cross(v.xyw, p.xyw) + v.z * cross(p.xyw, u.xyw)) / volume
+    : vec3(0.0, 0.0, low.z);
+  vec2 gradient = plane.xy;
+  float depth0 = plane.z;
   // Lowered to the least depth within a texel around its centre.
   depth0 -= halfTexel * (abs(gradient.x) + abs(gradient.y));
   depthPlane = 0.5 * vec3(gradient, depth0) + vec3(0.0, 0.0, 0.5);
