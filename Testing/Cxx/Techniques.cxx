@@ -162,7 +162,7 @@ const std::vector<Technique>& AllTechniques()
     { "Marched", MakeMarched, 0.015, 0.03, 1.0 / 8.0, 0.008 },
     { "Bilateral", MakeBilateral, 0.01, 0.03, 1.0 / 15.0, 0.01, true, false },
     { "Separable", MakeSeparable, 0.015, 0.03, 1.0 / 11.0, 0.002, true },
-    { "Cascaded", MakeCascaded, 0.01, 0.03, 1.0 / 16.0, 0.0, true },
+    { "Cascaded", MakeCascaded, 0.01, 0.03, 1.0 / 16.0, 0.005, true },
     { "AdaptiveSampled", MakeAdaptiveSampled, 0.02, 0.03, 1.0 / 16.0 },
     { "Virtual", MakeVirtual, 0.015, 0.03, 1.0 / 8.0, 0.0, true },
   };

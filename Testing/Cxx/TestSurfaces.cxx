@@ -237,7 +237,11 @@ TEST_P(Surface, ShadowTouchesTheBoxInADeepScene)
     { { { { -1e4, -1e4, -2000.0 } }, { { 2e4, 0.0, 0.0 } }, { { 0.0, 2e4, 0.0 } } } }));
   // The camera is not what is tested: far as the scene reaches, it looks at what is near.
   contact.Renderer->GetActiveCamera()->SetClippingRange(1.0, 20.0);
-  Stage stage(contact.Renderer, this->MakePass(), Width, Height);
+  // Depths are what is tested: over so wide a ground texels of 512 are 0.1 wide, and an edge is blurred
+  // by one.
+  const auto pass = this->MakePass();
+  pass->SetMapSize(1024);
+  Stage stage(contact.Renderer, pass, Width, Height);
   ExpectNoGap(contact, stage.RenderVisibility(contact.Light));
 }
 
