@@ -24,26 +24,42 @@ uniform float thickness; // of a blocker, in steps
 // sides of solid bodies do; with less, rays slip out through them and round bodies leak.
 const float continuity = 4.0;
 
-// 1 if a texel blocks the ray to e. The steps are even in the square root of the light's width, so
-// that they are fine where contacts are. A step only finds a surface nearby; whether the ray meets it is
+// Distance of a step to the receiver, in d. The steps are even in the square root of the light's width, so
+// that they are fine where contacts are; the first lies at the nearest depth, so that every surface
+// lies between two steps.
+float stepDistance(float range, float i)
+{
+  float root = range * clamp((float(stepCount) + 1.0 - i) / float(stepCount), 0.0, 1.0);
+  return root * root;
+}
+
+// 1 if a texel blocks the ray to e. A step only finds a surface nearby; whether the ray meets it is
 // asked where the ray is as deep as the surface, or penumbrae come out too narrow.
 float marchRay(MapPoint point, vec2 e, float jitter, float reach)
 {
   float range = sqrt(reach);
   float previous = 0.0;
-  // The first step lies before the nearest depth, so that every surface lies between two steps.
-  for (int i = 0; i <= stepCount; ++i)
+  float distance = stepDistance(range, jitter);
+  for (int i = 0; i <= stepCount;)
   {
-    float root = range * (float(stepCount + 1 - i) - jitter) / float(stepCount);
-    float next = max(root - range / float(stepCount), 0.0);
-    float distance = root * root; // to the receiver, in d
-    float gap = thickness * max(previous - distance, distance - next * next);
-    previous = distance;
-    vec2 st = point.std.xy + e * kernelScale * distance;
-    float depth = mapDepth(st, mapLayer);
-    if (abs(point.std.z - distance - depth) <= gap)
+    float depth;
+    float gap;
+    float rise = 0.0;
+    bool isNear = false;
+    // A loop of its own: few steps find something, and what is asked then costs as much as a step.
+    for (; i <= stepCount && !isNear; ++i)
     {
-      vec2 meeting = point.std.xy + e * kernelScale * max(point.std.z - depth, 0.0);
+      float next = stepDistance(range, float(i + 1) + jitter);
+      gap = thickness * max(previous - distance, distance - next);
+      depth = mapDepth(point.std.xy + e * kernelScale * distance, mapLayer);
+      rise = point.std.z - depth;
+      isNear = rise <= reach && abs(rise - distance) <= gap;
+      previous = distance;
+      distance = next;
+    }
+    if (isNear)
+    {
+      vec2 meeting = point.std.xy + e * kernelScale * max(rise, 0.0);
       float there = mapDepth(meeting, mapLayer);
       if (abs(there - depth) <= continuity * gap && isBlocker(point, meeting, there))
       {
