@@ -198,7 +198,7 @@ bool vtkCascadedSoftShadowPass::Refinement::AddLevel(vtkCascadedSoftShadowPass* 
     self->SetReceiverUniforms(program, context);
     vtkSoftShadowPass::SetSampleUniforms(program, context, points.Samples.Views.data() + run.First,
       points.Samples.Weights.data() + run.First, run.Last - run.First, run.Layer,
-      maps.GetMapSize(points.Resolution), self->GetFilter() == FIXED ? points.FilterSize : 1);
+      maps.GetMapSize(points.Resolution), points.FilterSize);
     vtkShadowTextureArray* texture = maps.GetMaps(points.Resolution)->GetTexture();
     program->SetUniformi("depthMaps", texture->Activate(context.Window));
     program->SetUniformi("state", before->Activate(context.Window));

@@ -72,6 +72,11 @@ public:
   void JoinCascades(
     vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, EmitterMaps& emitter);
 
+  /// Texels along an edge that a look into a map of the cascade takes in. On the screen edges are a texel
+  /// wide; a hard light's, and those of adaptive points, are sharp.
+  static int GetFilterTexels(
+    const vtkCascadedSoftShadowPass& self, const vtkShadowEmitter& emitter, size_t cascade);
+
   const vtkSoftShadowSamples& FitGrid(vtkCascadedSoftShadowPass* self,
     const vtkSoftShadowContext& context, EmitterMaps& emitter, int k);
   const vtkSoftShadowSamples& FitLevel(vtkCascadedSoftShadowPass* self,

@@ -15,8 +15,7 @@ namespace
 {
 // Cuts the fits to a cascade: points that see no caster in front of it need no map.
 vtkSoftShadowSamples Cut(const vtkSoftShadowSamples& fits,
-  const vtkShadowCascades::Cascade& cascade, int mapSize, int filterSize,
-  const std::array<double, 2>& cell, bool fitToView)
+  const vtkShadowCascades::Cascade& cascade, int mapSize, int filterSize, bool fitToView)
 {
   vtkSoftShadowSamples samples;
   samples.LitWeight = fits.LitWeight;
@@ -30,7 +29,7 @@ vtkSoftShadowSamples Cut(const vtkSoftShadowSamples& fits,
     vtkShadowMapView view = fits.Views[i];
     if (!fitToView ||
       vtkShadowCascadeWindow::Cut(
-        cascade.Center, cascade.Radius, cascade.Corners, mapSize, filterSize / 2 + 1, cell, view))
+        cascade.Center, cascade.Radius, cascade.Corners, mapSize, filterSize / 2 + 1, view))
     {
       samples.Views.push_back(view);
       samples.Weights.push_back(fits.Weights[i]);
@@ -52,8 +51,8 @@ bool ShowsAll(
       [&cascade, mapSize](const vtkShadowMapView& fit)
       {
         vtkShadowMapView view = fit;
-        return vtkShadowCascadeWindow::Cut(cascade.Center, cascade.Radius, cascade.Corners, mapSize,
-                 2, { { 0.0, 0.0 } }, view) &&
+        return vtkShadowCascadeWindow::Cut(
+                 cascade.Center, cascade.Radius, cascade.Corners, mapSize, 2, view) &&
           view.Window == fit.Window;
       });
 }
@@ -85,6 +84,17 @@ const vtkSoftShadowSamples& vtkCascadedSoftShadowPass::Internals::FitLevel(
   }
   return emitter.Fits[-level] = self->FitSamples(
            context, vtkShadowBorderGrid::Make(context.Emitter, level, self->Weights).Added);
+}
+
+//------------------------------------------------------------------------------
+int vtkCascadedSoftShadowPass::Internals::GetFilterTexels(
+  const vtkCascadedSoftShadowPass& self, const vtkShadowEmitter& emitter, size_t cascade)
+{
+  if (self.Filter == FIXED)
+  {
+    return self.FilterSizes[cascade];
+  }
+  return self.Adaptive || !emitter.HasExtent() ? 1 : 2;
 }
 
 //------------------------------------------------------------------------------
@@ -121,7 +131,8 @@ void vtkCascadedSoftShadowPass::Internals::FindCascades(
     {
       int& filter = filters[self->SampleEdges[i]];
       // The coarsest maps' texels, in those of the finest.
-      filter = std::max(filter, self->FilterSizes[i] << self->Resolutions[i]);
+      filter = std::max(
+        filter, Internals::GetFilterTexels(*self, context.Emitter, i) << self->Resolutions[i]);
     }
     for (const auto& filter : filters)
     {
@@ -169,16 +180,11 @@ std::vector<size_t> vtkCascadedSoftShadowPass::AddSets(
   Internals& impl = *this->Impl;
   Internals::EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
   const int resolution = this->Resolutions[cascade];
-  // On the screen edges are a texel wide, but for a hard light's.
-  const int texels = context.Emitter.HasExtent() ? 2 : 1;
-  const int filterSize =
-    !this->Adaptive && this->Filter == SCREEN ? texels : this->FilterSizes[cascade];
-  // No filter reaches farther than its texels: what is on the screen has its own.
-  const std::array<double, 2> cell = { { 0.0, 0.0 } };
+  const int filterSize = Internals::GetFilterTexels(*this, context.Emitter, cascade);
   const auto add = [&](const vtkSoftShadowSamples& fits)
   {
     return emitter.Maps.Add(resolution, filterSize,
-      Cut(fits, impl.Cascades[cascade], emitter.Maps.GetMapSize(resolution), filterSize, cell,
+      Cut(fits, impl.Cascades[cascade], emitter.Maps.GetMapSize(resolution), filterSize,
         this->FitToView));
   };
   if (!this->Adaptive)

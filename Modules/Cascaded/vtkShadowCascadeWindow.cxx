@@ -109,20 +109,12 @@ bool CutEdge(const Range& range, int resolution, int border, double& low, double
   return true;
 }
 
-// How large a cell of half extent 1 is at most in the window of a receiver no farther than that.
-double FindBlur(const vtkShadowMapView& view, double farthest)
-{
-  const double blur =
-    view.Emitter.Directional ? farthest - view.Near : 1.0 / view.Near - 1.0 / farthest;
-  return farthest > view.Near ? blur : 0.0;
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
 bool vtkShadowCascadeWindow::Cut(const std::array<double, 3>& center, double radius,
   const std::vector<std::array<double, 3>>& corners, int resolution, int border,
-  const std::array<double, 2>& cell, vtkShadowMapView& view)
+  vtkShadowMapView& view)
 {
   const double world[4] = { center[0], center[1], center[2], 1.0 };
   double p[4];
@@ -138,12 +130,6 @@ bool vtkShadowCascadeWindow::Cut(const std::array<double, 3>& center, double rad
     }
   }
   CutToHull(corners, view, ranges);
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double beside = cell[axis] * FindBlur(view, p[2] + radius);
-    ranges[axis].Low -= beside;
-    ranges[axis].High += beside;
-  }
   return CutEdge(ranges[0], resolution, border, view.Window[0], view.Window[1]) &&
     CutEdge(ranges[1], resolution, border, view.Window[2], view.Window[3]);
 }

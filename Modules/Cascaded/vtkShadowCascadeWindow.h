@@ -32,13 +32,11 @@ struct VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkShadowCascadeWindow
   /**
    * Cuts view, a fit over the effective casters, to a sphere in world coordinates, and to the convex hull of
    * corners, if there are any and the light sees them all. resolution: the
-   * map's texels along an edge; border: texels that must remain around the sphere. cell: half extents
-   * of the part of the light over whose image a filter reaches, as vtkShadowEmitter's HalfSize; 0 if
-   * none does. False if no caster can be seen in front of the sphere: all receivers in it are lit.
+   * map's texels along an edge; border: texels that must remain around the sphere. False if no caster can be seen in front of the sphere: all receivers in it are lit.
    */
   static bool Cut(const std::array<double, 3>& center, double radius,
     const std::vector<std::array<double, 3>>& corners, int resolution, int border,
-    const std::array<double, 2>& cell, vtkShadowMapView& view);
+    vtkShadowMapView& view);
 };
 
 VTK_ABI_NAMESPACE_END

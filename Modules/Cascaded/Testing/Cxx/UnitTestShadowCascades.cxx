@@ -360,8 +360,7 @@ TEST(ShadowCascadeWindow, MovesByWholeTexels)
   {
     const std::array<double, 3> center = { { 3.0 + 0.0371 * step, 5.0 - 0.0713 * step, 1.0 } };
     vtkShadowMapView view = MakeSunView();
-    ASSERT_TRUE(
-      vtkShadowCascadeWindow::Cut(center, 7.0, {}, resolution, 3, { { 0.0, 0.0 } }, view));
+    ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 7.0, {}, resolution, 3, view));
     const double size = view.Window[1] - view.Window[0];
     if (step > 0)
     {
@@ -394,8 +393,8 @@ TEST(ShadowCascadeWindow, IsCutToTheCorners)
     corners.push_back({ { i & 1 ? 4.0 : 2.0, i & 2 ? 6.0 : 5.0, i & 4 ? 0.5 : 0.0 } });
   }
   vtkShadowMapView view = MakeSunView();
-  ASSERT_TRUE(vtkShadowCascadeWindow::Cut(
-    { { 3.0, 5.0, 0.0 } }, 7.0, corners, resolution, 3, { { 0.0, 0.0 } }, view));
+  ASSERT_TRUE(
+    vtkShadowCascadeWindow::Cut({ { 3.0, 5.0, 0.0 } }, 7.0, corners, resolution, 3, view));
   EXPECT_LT(view.Window[1] - view.Window[0], 2.0 * 1.2);
   EXPECT_LT(view.Window[3] - view.Window[2], 1.2 * 1.2);
   const double border = 3.0 / resolution;
@@ -416,18 +415,15 @@ TEST(ShadowCascadeWindow, KeepsAFitThatIsSmaller)
 {
   vtkShadowMapView view = MakeSunView();
   const vtkShadowMapView fit = view;
-  EXPECT_TRUE(
-    vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, 0.0 } }, 700.0, {}, 512, 3, { { 0.0, 0.0 } }, view));
+  EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, 0.0 } }, 700.0, {}, 512, 3, view));
   EXPECT_TRUE(view == fit);
 }
 
 TEST(ShadowCascadeWindow, NoCasterInFrontOfTheSphereNeedsNoMap)
 {
   vtkShadowMapView view = MakeSunView();
-  EXPECT_FALSE(
-    vtkShadowCascadeWindow::Cut({ { 600.0, 0.0, 0.0 } }, 50.0, {}, 512, 3, { { 0.0, 0.0 } }, view));
-  EXPECT_TRUE(
-    vtkShadowCascadeWindow::Cut({ { 549.0, 0.0, 0.0 } }, 50.0, {}, 512, 3, { { 0.0, 0.0 } }, view));
+  EXPECT_FALSE(vtkShadowCascadeWindow::Cut({ { 600.0, 0.0, 0.0 } }, 50.0, {}, 512, 3, view));
+  EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 549.0, 0.0, 0.0 } }, 50.0, {}, 512, 3, view));
 }
 
 // What a lamp sees of the sphere, by points on it.
@@ -439,7 +435,7 @@ TEST(ShadowCascadeWindow, ALampsWindowHoldsTheSphere)
   fit.Far = 100.0;
   const std::array<double, 3> center = { { 3.0, -2.0, -6.0 } };
   vtkShadowMapView view = fit;
-  ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 2.0, {}, 1024, 3, { { 0.0, 0.0 } }, view));
+  ASSERT_TRUE(vtkShadowCascadeWindow::Cut(center, 2.0, {}, 1024, 3, view));
   EXPECT_LT(view.Window[1] - view.Window[0], 4.0);
   for (int i = 0; i < 1000; ++i)
   {
@@ -457,8 +453,7 @@ TEST(ShadowCascadeWindow, ALampsWindowHoldsTheSphere)
   }
   // A lamp inside the sphere looks everywhere.
   view = fit;
-  EXPECT_TRUE(
-    vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, -1.0 } }, 2.0, {}, 1024, 3, { { 0.0, 0.0 } }, view));
+  EXPECT_TRUE(vtkShadowCascadeWindow::Cut({ { 0.0, 0.0, -1.0 } }, 2.0, {}, 1024, 3, view));
   EXPECT_TRUE(view == fit);
 }
 
