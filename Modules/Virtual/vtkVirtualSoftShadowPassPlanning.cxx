@@ -171,7 +171,7 @@ bool vtkVirtualSoftShadowPass::WantsVisibilityAnew()
   const Internals& impl = *this->Impl;
   return this->Adaptive && this->GridLatency > 0 &&
     std::any_of(impl.Emitters.begin(), impl.Emitters.end(),
-      [&impl](const std::pair<const Internals::Key, vtkVirtualEmitterState>& emitter) {
+      [](const std::pair<const Internals::Key, vtkVirtualEmitterState>& emitter) {
         return emitter.second.IsShown && emitter.second.IsLate &&
           emitter.second.Request.HasArrived();
       });
