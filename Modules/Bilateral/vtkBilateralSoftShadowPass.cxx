@@ -92,6 +92,16 @@ void vtkBilateralSoftShadowPass::AddVisibility(const vtkSoftShadowContext& conte
   }
   const bool isDrawn = this->Impl->Filter.BeginSums(context) && this->DrawMean(context);
   this->Impl->Filter.EndSums();
+  // Of a light's many parts only the first ones keep their maps.
+  vtkTypeInt64 bytes = 0;
+  for (auto& other : this->Impl->Emitters)
+  {
+    bytes += other.first.first == context.Light ? other.second.Maps->GetTexture()->GetBytes() : 0;
+  }
+  if (this->ExceedsMapMemory(bytes))
+  {
+    emitter.Maps->ReleaseGraphicsResources(context.Window);
+  }
   if (!isDrawn)
   {
     return;

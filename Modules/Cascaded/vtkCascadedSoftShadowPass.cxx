@@ -61,18 +61,30 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
   if (!this->Adaptive && this->Filter == SCREEN)
   {
     impl.DrawScreen(this, context, emitter.Maps);
-    return;
   }
-  for (size_t i = 0; i < impl.Cascades.size(); ++i)
+  else
   {
-    if (this->Adaptive)
+    for (size_t i = 0; i < impl.Cascades.size(); ++i)
     {
-      impl.Refiner.Draw(this, context, emitter.Maps, sets[i], impl.Cascades[i], emitter.Plans[i]);
+      if (this->Adaptive)
+      {
+        impl.Refiner.Draw(this, context, emitter.Maps, sets[i], impl.Cascades[i], emitter.Plans[i]);
+      }
+      else
+      {
+        impl.DrawCascade(this, context, emitter.Maps, i);
+      }
     }
-    else
-    {
-      impl.DrawCascade(this, context, emitter.Maps, i);
-    }
+  }
+  // Of a light's many parts only the first ones keep their maps.
+  vtkTypeInt64 bytes = 0;
+  for (auto& other : impl.Emitters)
+  {
+    bytes += other.first.first == context.Light ? other.second.Maps.GetBytes() : 0;
+  }
+  if (this->ExceedsMapMemory(bytes))
+  {
+    emitter.Maps.ReleaseGraphicsResources(context.Window);
   }
 }
 

@@ -126,6 +126,16 @@ void vtkSampledSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context
       context.Receivers->Deactivate();
     }
   }
+  // Of a light's many parts only the first ones keep their maps.
+  vtkTypeInt64 bytes = 0;
+  for (auto& other : this->Impl->Emitters)
+  {
+    bytes += other.first.first == context.Light ? other.second.Maps->GetTexture()->GetBytes() : 0;
+  }
+  if (this->ExceedsMapMemory(bytes))
+  {
+    emitter.Maps->ReleaseGraphicsResources(context.Window);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -138,8 +138,8 @@ public:
 
   ///@{
   /**
-   * Memory for depth maps that one light may hold at a time, in MiB, in [1, 65536]. Lights with
-   * more maps than fit draw them in batches, every frame anew. Default is 1024.
+   * Memory for depth maps that one light may hold at a time, all its parts together, in MiB, in [1, 65536].
+   * Lights with more maps than fit draw them in batches, every frame anew. Default is 1024.
    */
   vtkSetClampMacro(MapMemory, int, 1, 65536);
   vtkGetMacro(MapMemory, int);
@@ -369,6 +369,9 @@ protected:
 
   /// Draws the technique's shader and counts the pixels that it filters.
   void DrawFiltered(vtkShadowShader& shader);
+
+  /// Whether the depth maps of one light, all its parts together, are more than MapMemory.
+  bool ExceedsMapMemory(vtkTypeInt64 bytes) const;
 
   /// How many of the emitters' maps fit MapMemory, at least 1.
   size_t GetMapsPerBatch() const;

@@ -364,6 +364,12 @@ void vtkSoftShadowPass::SetAffineMapUniforms(vtkShaderProgram* program,
 }
 
 //------------------------------------------------------------------------------
+bool vtkSoftShadowPass::ExceedsMapMemory(vtkTypeInt64 bytes) const
+{
+  return bytes > static_cast<vtkTypeInt64>(this->MapMemory) << 20;
+}
+
+//------------------------------------------------------------------------------
 size_t vtkSoftShadowPass::GetMapsPerBatch() const
 {
   const auto size = static_cast<size_t>(this->GetEmitterMapSize());
