@@ -13,7 +13,47 @@
 #include "vtkShadowMapView.h"
 #include "vtkSoftShadowsOpenGL.h"
 
+#include <cstring>
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+#ifdef GL_ZERO_TO_ONE
+// OpenGL 4.5. Loaders find the function where the driver does not support it.
+bool HasClipControl()
+{
+  GLint major = 0;
+  GLint minor = 0;
+  GLint extensions = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  glGetIntegerv(GL_NUM_EXTENSIONS, &extensions);
+  bool supported = major > 4 || (major == 4 && minor >= 5);
+  for (GLint i = 0; i < extensions && !supported; ++i)
+  {
+    const auto* name =
+      reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+    supported = name && std::strcmp(name, "GL_ARB_clip_control") == 0;
+  }
+  return supported && glClipControl != nullptr;
+}
+#else
+bool HasClipControl()
+{
+  return false;
+}
+#endif
+
+// The marks by which VTK puts a version before a shader come first.
+std::string WithDepth(const char* shader)
+{
+  const std::string mark = "//VTK::System::Dec\n";
+  std::string text = shader;
+  return text.replace(text.find(mark), mark.size(), mark + "#define SHADOW_WRITES_DEPTH\n");
+}
+}
 
 //------------------------------------------------------------------------------
 vtkShadowCasterProgram::ScopedState::ScopedState(vtkOpenGLState* state)
@@ -32,7 +72,7 @@ vtkShadowCasterProgram::ScopedState::ScopedState(vtkOpenGLState* state)
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthFunc(GL_GREATER); // maps hold 1 on the near plane, 0 where nothing is
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   // vtkOpenGLState knows neither of these.
   glEnable(GL_DEPTH_CLAMP);
@@ -65,19 +105,29 @@ bool vtkShadowCasterProgram::Use(vtkOpenGLRenderWindow* window, const vtkShadowM
   }
   else
   {
-    program = cache->ReadyShaderProgram(vtkShadowCasterVS,
-      conservative ? vtkShadowConservativeFS : vtkShadowCasterFS,
-      conservative ? vtkShadowConservativeGS : "");
+    // Conservative triangles write their depth in any case.
+    this->WritesDepth = !HasClipControl();
+    program = conservative ? cache->ReadyShaderProgram(
+                               vtkShadowCasterVS, vtkShadowConservativeFS, vtkShadowConservativeGS)
+      : this->WritesDepth ? cache->ReadyShaderProgram(WithDepth(vtkShadowCasterVS).c_str(),
+                              WithDepth(vtkShadowCasterFS).c_str(), "")
+                          : cache->ReadyShaderProgram(vtkShadowCasterVS, vtkShadowCasterFS, "");
   }
   if (!program)
   {
     return false;
   }
+#ifdef GL_ZERO_TO_ONE
+  if (!this->WritesDepth)
+  {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  }
+#endif
   const GLint location =
     glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "positionLocal");
   this->Location = location < 0 ? 0u : static_cast<unsigned int>(location);
 
-  const auto toClip = view.WorldToClip();
+  const auto toClip = view.WorldToClip(true);
   const double shift[16] = { 1.0, 0.0, 0.0, origin[0], 0.0, 1.0, 0.0, origin[1], 0.0, 0.0, 1.0,
     origin[2], 0.0, 0.0, 0.0, 1.0 };
   double localToClip[16];
@@ -100,6 +150,17 @@ bool vtkShadowCasterProgram::Use(vtkOpenGLRenderWindow* window, const vtkShadowM
       "leastW", view.Emitter.Directional ? 0.5f : static_cast<float>(LEAST * view.Near));
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterProgram::Finish() const
+{
+#ifdef GL_ZERO_TO_ONE
+  if (!this->WritesDepth)
+  {
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  }
+#endif
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,10 @@ struct vtkShadowMapView;
 class vtkShadowCasterProgram
 {
 public:
-  /// Depth only, two-sided, depth clamped to the range; what was before comes back at the end.
+  /**
+   * Depth only, two-sided, depth clamped to the range, the greater depth wins; what was before comes
+   * back at the end.
+   */
   class ScopedState
   {
   public:
@@ -43,12 +46,19 @@ public:
     bool HadPolygonOffset;
   };
 
-  /// Makes the program current with its uniforms for the view. False if it does not compile.
+  /**
+   * Makes the program current with its uniforms for the view, and OpenGL's clip space that of
+   * vtkShadowMapView::WorldToClip(true) until Finish(), where there is such a one. False if it does not
+   * compile.
+   */
   bool Use(vtkOpenGLRenderWindow* window, const vtkShadowMapView& view,
     const std::array<double, 3>& origin, int resolution, bool conservative);
 
   /// Draw only triangles that turn counterclockwise (1), clockwise (-1), or all (0).
   static void SetSide(vtkOpenGLState* state, int side);
+
+  /// OpenGL's own clip space again, which VTK's mappers rely on.
+  void Finish() const;
 
   /// Where the current program takes the vertices.
   unsigned int GetLocation() const { return this->Location; }
@@ -58,6 +68,7 @@ public:
 private:
   std::array<vtkShaderProgram*, 2> Programs{}; // normal, conservative; the shader cache owns them
   unsigned int Location = 0;
+  bool WritesDepth = true; // for want of a clip space from 0 to 1
 };
 
 VTK_ABI_NAMESPACE_END

@@ -240,6 +240,7 @@ int vtkShadowCasters::Draw(
   if (impl.Program.Use(window, view, impl.List.Origin, resolution, conservative))
   {
     calls += impl.DrawBuffer(window->GetState(), conservative);
+    impl.Program.Finish();
   }
   return calls + impl.DrawMappers(renderer, view);
 }

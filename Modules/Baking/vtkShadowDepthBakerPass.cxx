@@ -126,6 +126,7 @@ void vtkShadowDepthBakerPass::Render(const vtkRenderState* s)
     baked.Casts = vtkShadowEmitter::FromLight(light, emitter, baked.Report);
     if (baked.Casts)
     {
+      emitter = fitter.SeeFromAfar(emitter);
       if (!baked.Maps)
       {
         baked.Maps = vtkSmartPointer<vtkShadowDepthMaps>::New();

@@ -120,7 +120,7 @@ int vtkShadowDepthMaps::BakeLayers(
       glGenFramebuffers(1, &this->Framebuffer);
     }
     const ScopedTarget target(window->GetState(), this->Framebuffer, this->Resolution);
-    const float empty = 1.0f;
+    const float empty = 0.0f;
     for (std::size_t layer = first; layer < views.size(); ++layer)
     {
       if (!isHeld(layer))
@@ -167,7 +167,7 @@ vtkSmartPointer<vtkImageData> vtkShadowDepthMaps::ReadDepth(int layer)
   std::transform(depths.begin(), depths.end(), values,
     [&view](float depth)
     {
-      return depth < 1.0f ? static_cast<float>(view.LinearDepth(depth))
+      return depth > 0.0f ? static_cast<float>(view.LinearDepth(-depth))
                           : std::numeric_limits<float>::infinity();
     });
   return image;

@@ -4,8 +4,8 @@
  * @class   vtkShadowDepthMaps
  * @brief   The depth maps of one light: layers of one resolution, kept until something changes.
  *
- * Layer i shows the casters through view i; its values d are those of vtkShadowMapView, 1 where there
- * is no caster. The format is 32-bit float depth.
+ * Layer i shows the casters through view i; its values are -d of vtkShadowMapView: 1 on the near plane,
+ * 0 where there is no caster. The format is 32-bit float depth.
  */
 
 #ifndef vtkShadowDepthMaps_h

@@ -14,7 +14,7 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkShadowDrawTest::vtkShadowDrawTest(const vtkShadowMapView& view)
   : View(view)
 {
-  const auto toClip = view.WorldToClip();
+  const auto toClip = view.WorldToClip(true);
   for (int i = 0; i < 4; ++i)
   {
     const double w = toClip[12 + i];
@@ -22,7 +22,7 @@ vtkShadowDrawTest::vtkShadowDrawTest(const vtkShadowMapView& view)
     this->Planes[1][i] = w - toClip[i];
     this->Planes[2][i] = w + toClip[4 + i];
     this->Planes[3][i] = w - toClip[4 + i];
-    this->Planes[4][i] = w - toClip[8 + i];
+    this->Planes[4][i] = toClip[8 + i];
   }
 }
 

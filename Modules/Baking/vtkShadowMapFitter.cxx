@@ -20,7 +20,8 @@ using Window = vtkShadowProjection::Window;
 
 constexpr double LARGEST_TANGENT = 11.430052302761343; // tan(85 degrees)
 constexpr double FACE_TANGENT = 1.05;                  // of a cube's face, with its border
-constexpr double NEAREST = 1e-3;                       // of the far distance
+constexpr double NEAREST = 1e-7;                       // of the far distance
+constexpr double FAR_AWAY = 1e5;                       // in radii of the scene
 constexpr double MARGIN = 1.0 / 30.0 + 1e-6;           // (1 + 2 m) / 32 <= m
 constexpr double DEPTH_MARGIN = 0.01;                  // of the depth
 constexpr double THINNEST = 1e-3;                      // of a window's longer edge
@@ -192,6 +193,76 @@ void SetWindow(const Part& covered, vtkShadowMapView& view)
   }
 }
 
+// The ball around all bodies, its middle on a raster of its size, so that it rests while things move.
+double FindBall(const std::vector<Body>& bodies, std::array<double, 3>& middle)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double squares = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double low = infinity;
+    double high = -infinity;
+    for (const Body& body : bodies)
+    {
+      low = std::min(low, body.Bounds[2 * axis]);
+      high = std::max(high, body.Bounds[2 * axis + 1]);
+    }
+    middle[axis] = 0.5 * (low + high);
+    squares += 0.25 * (high - low) * (high - low);
+  }
+  const double radius = std::sqrt(squares);
+  if (!(radius > 0.0) || !std::isfinite(radius))
+  {
+    return 0.0;
+  }
+  const double step = std::exp2(std::ceil(std::log2(radius)));
+  for (double& coordinate : middle)
+  {
+    coordinate = step * std::round(coordinate / step);
+  }
+  return 3.0 * radius;
+}
+
+// The axes and the size of an emitter as they look along a direction, at distance 1.
+void Foreshorten(const std::array<double, 3>& direction, vtkShadowEmitter& emitter)
+{
+  constexpr double ALIGNED = 1e-9;
+  const double cosine = vtkMath::Dot(emitter.Direction.data(), direction.data());
+  std::array<double, 3> u = emitter.AxisU;
+  std::array<double, 3> v = emitter.AxisV;
+  std::array<double, 2> shares{ { 1.0, 1.0 } };
+  for (int i = 0; i < 3; ++i)
+  {
+    u[i] -= vtkMath::Dot(emitter.AxisU.data(), direction.data()) * direction[i];
+    v[i] -= vtkMath::Dot(emitter.AxisV.data(), direction.data()) * direction[i];
+  }
+  std::array<double, 3> tilt = emitter.Direction;
+  for (int i = 0; i < 3; ++i)
+  {
+    tilt[i] -= cosine * direction[i];
+  }
+  const bool isRound =
+    emitter.Shape == vtkShadowEmitter::DISK && emitter.HalfSize[0] == emitter.HalfSize[1];
+  if (isRound && vtkMath::Normalize(tilt.data()) > ALIGNED)
+  {
+    // Flattened along the tilt, as wide as ever across it.
+    shares[0] = std::abs(cosine);
+    vtkMath::Cross(tilt.data(), direction.data(), v.data());
+  }
+  else
+  {
+    shares = { { vtkMath::Norm(u.data()), vtkMath::Norm(v.data()) } };
+  }
+  emitter.Direction = direction;
+  if (!(vtkMath::Normalize(v.data()) > ALIGNED))
+  {
+    vtkMath::Perpendiculars(direction.data(), nullptr, v.data(), 0.0);
+  }
+  emitter.AxisV = v;
+  vtkMath::Cross(direction.data(), v.data(), emitter.AxisU.data());
+  emitter.HalfSize = { { emitter.HalfSize[0] * shares[0], emitter.HalfSize[1] * shares[1] } };
+}
+
 void SetDepths(const Part& covered, vtkShadowMapView& view)
 {
   if (view.Emitter.Directional)
@@ -233,6 +304,65 @@ bool vtkShadowMapFitter::Fit(const vtkShadowEmitter& emitter, vtkShadowMapView& 
   SetWindow(covered, view);
   SetDepths(covered, view);
   return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowMapFitter::CountTooNear(const vtkShadowMapView& view) const
+{
+  if (view.Emitter.Directional || view.Near > 2.0 * NEAREST * view.Far)
+  {
+    return 0;
+  }
+  const Window limit = { { -LARGEST_TANGENT, LARGEST_TANGENT, -LARGEST_TANGENT, LARGEST_TANGENT } };
+  const vtkShadowProjection projection(view.Emitter, limit);
+  return static_cast<int>(std::count_if(this->Bodies.begin(), this->Bodies.end(),
+    [&projection, &view](const Body& body)
+    {
+      const Part part = projection.Project(body);
+      return body.Casts && !part.Empty && part.Farthest < view.Near;
+    }));
+}
+
+//------------------------------------------------------------------------------
+vtkShadowEmitter vtkShadowMapFitter::SeeFromAfar(const vtkShadowEmitter& emitter) const
+{
+  if (emitter.Directional || this->Bodies.empty())
+  {
+    return emitter;
+  }
+  std::array<double, 3> middle{};
+  const double radius = FindBall(this->Bodies, middle);
+  std::array<double, 3> direction{};
+  double most = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    direction[i] = middle[i] - emitter.Center[i];
+    most = std::max(most, std::abs(direction[i]));
+  }
+  if (!(radius > 0.0) || !(most > FAR_AWAY * radius))
+  {
+    return emitter;
+  }
+  for (double& coordinate : direction)
+  {
+    coordinate /= most; // or its square may overflow
+  }
+  const double distance = most * vtkMath::Normalize(direction.data());
+  const double cosine = vtkMath::Dot(emitter.Direction.data(), direction.data());
+  const double angle = std::acos(std::min(std::max(cosine, -1.0), 1.0));
+  if (!emitter.Omni && angle + radius / distance >= vtkMath::RadiansFromDegrees(emitter.ConeAngle))
+  {
+    return emitter;
+  }
+  vtkShadowEmitter parallel = emitter;
+  Foreshorten(direction, parallel);
+  parallel.HalfSize = { { parallel.HalfSize[0] / distance, parallel.HalfSize[1] / distance } };
+  parallel.Directional = true;
+  parallel.Omni = false;
+  parallel.ConeAngle = 90.0;
+  parallel.Center = middle;
+  parallel.Apex = middle;
+  return parallel;
 }
 
 //------------------------------------------------------------------------------

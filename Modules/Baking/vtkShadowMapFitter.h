@@ -10,7 +10,7 @@
  *
  * A window is at most tan(85 degrees) wide around the direction: what a positional light sees at
  * more grazing angles blocks nothing. The depth range encloses the effective casters; the near plane
- * is no nearer than a thousandth of the far plane.
+ * is no nearer than 1e-7 of the far plane.
  */
 
 #ifndef vtkShadowMapFitter_h
@@ -41,6 +41,19 @@ public:
    * view otherwise. Faces without effective casters are left out, so the result may be empty.
    */
   std::vector<vtkShadowMapView> FitAll(const vtkShadowEmitter& emitter) const;
+
+  /**
+   * Casters that lie wholly in front of the near plane, which is held back by a far plane ten million
+   * times as far away: they cast nothing on what is as near as they are.
+   */
+  int CountTooNear(const vtkShadowMapView& view) const;
+
+  /**
+   * The emitter as the bodies see it: a positional one 100000 times as far away as the bodies are large is
+   * the directional one of its angular size, which no cancellation harms. One whose cone ends among
+   * the bodies, or that shines away from them, stays as it is.
+   */
+  vtkShadowEmitter SeeFromAfar(const vtkShadowEmitter& emitter) const;
 
 private:
   const std::vector<vtkShadowCasters::Body>& Bodies;

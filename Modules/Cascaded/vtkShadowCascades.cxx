@@ -87,20 +87,22 @@ void FitSphere(const vtkShadowFrustumClip& frustum, Cascade& cascade)
   }
 }
 
-// Where a point's cell may be hidden: behind the nearest caster, 0 <= d, and as far beside what the map
-// shows as a cell's image or a filter reaches there, -c d - h <= s, t <= 1 + c d + h.
+// Where a point's cell may be hidden: behind the nearest caster, 0 <= d + 1, and as far beside what the map
+// shows as a cell's image or a filter reaches there, -c (d + 1) - h <= s, t <= 1 + c (d + 1) + h.
 vtkShadowFrustumClip::Region FindRegion(const vtkShadowCascades::LightPoint& point)
 {
   const std::array<double, 16> m = point.Map.WorldToMap();
   vtkShadowFrustumClip::Region region;
-  region.push_back({ { m[8], m[9], m[10], m[11] } });
+  const std::array<double, 4> behind{ { m[8] + m[12], m[9] + m[13], m[10] + m[14],
+    m[11] + m[15] } };
+  region.push_back(behind);
   for (int row = 0; row < 2; ++row)
   {
     std::array<double, 4> low;
     std::array<double, 4> high;
     for (int i = 0; i < 4; ++i)
     {
-      const double beside = point.CellScale[row] * m[8 + i] + point.Border * m[12 + i];
+      const double beside = point.CellScale[row] * behind[i] + point.Border * m[12 + i];
       low[i] = m[4 * row + i] + beside;
       high[i] = m[12 + i] - m[4 * row + i] + beside;
     }

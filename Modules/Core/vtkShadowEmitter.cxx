@@ -151,6 +151,12 @@ bool vtkShadowEmitter::FromLight(vtkLight* light, vtkShadowEmitter& emitter, std
   }
   vtkAreaLight::GetTransformedAxes(
     light, emitter.AxisU.data(), emitter.AxisV.data(), emitter.Direction.data());
+  const double length = vtkMath::Norm(emitter.Direction.data());
+  if (!(length > 0.5 && length < 2.0))
+  {
+    reason = "its position is too far from its focal point for a direction to be computed";
+    return false;
+  }
   // A directional light is nowhere; its focal point is near what it shines on.
   std::copy_n(emitter.Directional ? focalPoint : position, 3, emitter.Center.begin());
   emitter.Apex = emitter.Center;

@@ -44,9 +44,9 @@ std::array<double, 2> vtkShadowMapView::GetDepthToLinear() const
 {
   if (this->Emitter.Directional)
   {
-    return { { this->Near, this->Far - this->Near } };
+    return { { this->Far, this->Far - this->Near } };
   }
-  return { { 1.0 / this->Near, 1.0 / this->Far - 1.0 / this->Near } };
+  return { { 1.0 / this->Far, 1.0 / this->Far - 1.0 / this->Near } };
 }
 
 //------------------------------------------------------------------------------
@@ -78,16 +78,16 @@ std::array<double, 16> vtkShadowMapView::WorldToMap() const
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 16> vtkShadowMapView::WorldToClip() const
+std::array<double, 16> vtkShadowMapView::WorldToClip(bool zeroToOne) const
 {
   std::array<double, 16> matrix = this->WorldToMap();
-  for (int row = 0; row < 3; ++row)
+  for (int column = 0; column < 4; ++column)
   {
-    for (int column = 0; column < 4; ++column)
-    {
-      double& entry = matrix[4 * row + column];
-      entry = 2.0 * entry - matrix[12 + column];
-    }
+    const double w = matrix[12 + column];
+    matrix[column] = 2.0 * matrix[column] - w;
+    matrix[4 + column] = 2.0 * matrix[4 + column] - w;
+    // What a depth buffer holds is -d.
+    matrix[8 + column] = zeroToOne ? -matrix[8 + column] : -2.0 * matrix[8 + column] - w;
   }
   return matrix;
 }

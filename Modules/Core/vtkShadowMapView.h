@@ -4,9 +4,11 @@
  * @class   vtkShadowMapView
  * @brief   The view through one depth map: where it looks from, its window and its depth range.
  *
- * Map coordinates (s, t, d) lie in [0, 1]^3: s along the emitter's AxisU, t along its AxisV, d the
- * value in the depth map. With (x, y, z) emitter coordinates, z the linear distance along the
- * emitter's direction:
+ * Map coordinates (s, t, d): s in [0, 1] along the emitter's AxisU, t in [0, 1] along its AxisV, d
+ * in [-1, 0] from the near to the far plane. A depth map holds -d: floats are dense around 0, and
+ * that is where a perspective puts all that is far away, so that d keeps the relative precision of
+ * distances however far apart near and far are. With (x, y, z) emitter coordinates, z the linear
+ * distance along the emitter's direction:
  *
  *     positional:   (s, t) affine in (x / z, y / z),  d affine in 1 / z
  *     directional:  (s, t) affine in (x, y),          d affine in z
@@ -38,8 +40,11 @@ struct VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowMapView
   double Near = 1.0;
   double Far = 2.0;
 
-  /// World coordinates to clip coordinates (OpenGL's, -w <= x, y, z <= w), row-major.
-  std::array<double, 16> WorldToClip() const;
+  /**
+   * World coordinates to clip coordinates, row-major: -w <= x, y <= w, and z from the near to the far
+   * plane from w to -w, or from w to 0 if zeroToOne. Only the latter keeps the precision of d.
+   */
+  std::array<double, 16> WorldToClip(bool zeroToOne = false) const;
 
   /// World coordinates to homogeneous map coordinates (s w, t w, d w, w), row-major.
   std::array<double, 16> WorldToMap() const;

@@ -37,7 +37,7 @@ FormatInfo GetFormatInfo(int format)
   }
 }
 
-void SetParameters(int format, int levels)
+void SetParameters(int levels)
 {
   const GLenum target = GL_TEXTURE_2D_ARRAY;
   glTexParameteri(
@@ -48,8 +48,7 @@ void SetParameters(int format, int levels)
   glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
   glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_NONE);
   // Beyond a depth map lies nothing: infinitely far.
-  const float border = format == vtkShadowTextureArray::DEPTH32F ? 1.0f : 0.0f;
-  const float borderColor[4] = { border, border, border, border };
+  const float borderColor[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, borderColor);
 }
 } // namespace
@@ -94,7 +93,7 @@ bool vtkShadowTextureArray::Allocate(
   this->Levels = levels;
   glGenTextures(1, &this->Handle);
   this->Activate();
-  SetParameters(format, levels);
+  SetParameters(levels);
   const FormatInfo info = GetFormatInfo(format);
   while (glGetError() != GL_NO_ERROR)
   {

@@ -7,7 +7,7 @@
  * vtkTextureObject knows no array textures; every call on them stands here. Depth maps, pyramids
  * and visibilities are array textures, one layer per map or light.
  *
- * Nearest filtering; outside the border colour, which is 1 (infinitely far) for depth formats.
+ * Nearest filtering; outside the border colour, which is 0: in a depth map, infinitely far.
  */
 
 #ifndef vtkShadowTextureArray_h

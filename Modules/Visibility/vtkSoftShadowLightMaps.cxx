@@ -33,6 +33,7 @@ void vtkSoftShadowLightMaps::Fit(const vtkShadowEmitter& emitter, const vtkShado
   this->Split = split;
   this->Gaussian = gaussian;
   this->Faces.clear();
+  this->NumberTooNear = 0;
   int layer = 0;
   for (const vtkShadowEmitter& faceEmitter : emitter.Faces())
   {
@@ -41,6 +42,7 @@ void vtkSoftShadowLightMaps::Fit(const vtkShadowEmitter& emitter, const vtkShado
     // Faces() goes through the axes two at a time.
     face.Axis = faceEmitter.Face ? static_cast<int>(this->Faces.size() / 2) : -1;
     face.HasCasters = fitter.Fit(faceEmitter, face.View);
+    this->NumberTooNear += face.HasCasters ? fitter.CountTooNear(face.View) : 0;
     face.Layer = layer;
     if (face.HasCasters)
     {

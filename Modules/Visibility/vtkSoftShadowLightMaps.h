@@ -69,6 +69,8 @@ public:
     int mapSize, bool conservative, size_t count, bool pyramid, int& baked);
 
   const std::vector<Face>& GetFaces() const { return this->Faces; }
+  /// See vtkShadowMapFitter::CountTooNear; of all faces.
+  int GetNumberTooNear() const { return this->NumberTooNear; }
   vtkShadowDepthMaps* GetFaceMaps() { return this->FaceMaps; }
   vtkShadowDepthMaps* GetPartMaps() { return this->PartMaps; }
   vtkShadowDepthPyramid* GetFacePyramid() { return this->FacePyramid; }
@@ -80,6 +82,7 @@ public:
 
 private:
   std::vector<Face> Faces;
+  int NumberTooNear = 0;
   vtkShadowEmitter Emitter;
   vtkMTimeType CastersTime = 0;
   int Split = 0;

@@ -153,6 +153,11 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
   Internals& impl = *this->Impl;
   impl.Timers.BeginStep("casters", true);
   impl.Casters->Update(s->GetRenderer());
+  const vtkShadowMapFitter fitter(impl.Casters->GetBodies());
+  for (Internals::LitLight& light : impl.Lights)
+  {
+    light.Emitter = light.Casts ? fitter.SeeFromAfar(light.Emitter) : light.Emitter;
+  }
   const bool anew = this->WantsVisibilityAnew();
   const bool changed = this->SignatureChanged(s);
   const bool begun = impl.Schedule.IsStarted() || impl.Schedule.IsEnded();
@@ -220,6 +225,7 @@ void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
   const bool proves = this->EarlyOut && this->GetProof() != PROVES_NOTHING;
   const bool pyramid = proves || this->NeedsPyramid();
   const bool faceMaps = pyramid || (this->Split == 1 && this->NeedsEmitterMap());
+  int tooNear = 0;
   for (const Internals::LitLight& light : impl.Lights)
   {
     if (!light.Casts)
@@ -234,12 +240,18 @@ void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
     vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
     maps.Fit(light.Emitter, fitter, impl.Casters->GetBodiesTime(), this->Split,
       this->HasGaussianWeights());
+    tooNear += maps.GetNumberTooNear();
     if (faceMaps)
     {
       const int baked = maps.BakeFaces(s->GetRenderer(), impl.Casters, this->GetEmitterMapSize(),
         this->NeedsConservativeMaps(), pyramid);
       this->CountBakes(baked);
     }
+  }
+  if (tooNear > 0 && !impl.WarnedOfRange)
+  {
+    impl.WarnedOfRange = true;
+    vtkWarningMacro("Some shadows near lights are lost:\n" << this->GetLightReport());
   }
 }
 

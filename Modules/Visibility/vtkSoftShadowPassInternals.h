@@ -84,6 +84,7 @@ public:
   std::vector<double> PointWeights;     // in the sum, per casting light
   vtkShadowShader PointShader{ vtkSoftShadowPointFS };
   bool HasNews = false; // it has just converged
+  bool WarnedOfRange = false;
 
   /// What a light's sum is multiplied by to be a mean; 0 if there is none.
   float GetMeanScale(int layer) const

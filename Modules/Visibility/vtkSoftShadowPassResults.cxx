@@ -55,9 +55,13 @@ Value FindByName(const std::vector<std::pair<std::string, Value>>& list, const s
   return found != list.end() ? found->second : Value(-1);
 }
 
-void ReportLight(std::ostream& os, const vtkShadowEmitter& emitter)
+void ReportLight(std::ostream& os, vtkLight* light, const vtkShadowEmitter& emitter)
 {
   const char* const shapes[] = { "a rectangle", "a disk", "a point" };
+  if (emitter.Directional && light->GetPositional())
+  {
+    os << "positional, but so far away that its rays are parallel: ";
+  }
   os << (emitter.Directional ? "directional, " : "positional, ") << shapes[emitter.Shape];
   if (emitter.HasExtent())
   {
@@ -214,13 +218,19 @@ std::string vtkSoftShadowPass::GetLightReport() const
       report << "casts nothing: " << light.Reason << "\n";
       continue;
     }
-    ReportLight(report, light.Emitter);
+    ReportLight(report, light.Light, light.Emitter);
     size_t maps = 0;
     for (const auto& face : impl.Maps[light.Layer]->GetFaces())
     {
       maps += face.HasCasters ? 1 : 0;
     }
-    report << (maps > 0 ? "; casts\n" : "; casts nothing: nothing lies in its way\n");
+    report << (maps > 0 ? "; casts" : "; casts nothing: nothing lies in its way");
+    if (const int lost = impl.Maps[light.Layer]->GetNumberTooNear())
+    {
+      report << ", but not with " << lost
+             << " casters, nearer to it than 1e-7 of the distance of the farthest one";
+    }
+    report << "\n";
   }
   return report.str();
 }

@@ -5,9 +5,17 @@
 
 in vec3 positionLocal;
 
-uniform mat4 localToClip;
+uniform mat4 localToClip; // z from w on the near plane to 0 on the far one
+
+#ifdef SHADOW_WRITES_DEPTH
+out float depthTimesW;
+#endif
 
 void main()
 {
   gl_Position = localToClip * vec4(positionLocal, 1.0);
+#ifdef SHADOW_WRITES_DEPTH
+  depthTimesW = gl_Position.z;
+  gl_Position.z = 0.0; // nothing is clipped by depth
+#endif
 }

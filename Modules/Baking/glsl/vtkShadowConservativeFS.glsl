@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Conservative rasterisation, see vtkShadowConservativeGS: drops the texels that only the bounding
-// box touches, and writes the least depth of the triangle's plane within the texel.
+// box touches, and writes the nearest depth of the triangle's plane within the texel.
 
 flat in vec4 edgesX;
 flat in vec4 edgesY;
 flat in vec4 edgesC;
 flat in vec3 depthPlane;
-flat in float leastDepth;
+flat in float nearest;
 in vec2 place;
 
 void main()
@@ -18,5 +18,5 @@ void main()
   {
     discard;
   }
-  gl_FragDepth = clamp(max(dot(depthPlane, vec3(place, 1.0)), leastDepth), 0.0, 1.0);
+  gl_FragDepth = clamp(min(dot(depthPlane, vec3(place, 1.0)), nearest), 0.0, 1.0);
 }

@@ -21,8 +21,8 @@ uniform float leastW;    // of a visible point; w is the distance along the ligh
 flat out vec4 edgesX;    // outward normals of the four edges ...
 flat out vec4 edgesY;
 flat out vec4 edgesC;    // ... with edgesX x + edgesY y + edgesC <= 0 inside the grown edge
-flat out vec3 depthPlane; // depth in [0, 1] = dot(depthPlane, (x, y, 1))
-flat out float leastDepth;
+flat out vec3 depthPlane; // what the map holds, 1 near and 0 far, = dot(depthPlane, (x, y, 1))
+flat out float nearest;   // of the triangle
 out vec2 place;
 
 void main()
@@ -55,9 +55,9 @@ void main()
 
   vec3 low = min(min(corners[0], corners[1]), min(corners[2], corners[3]));
   vec3 high = max(max(corners[0], corners[1]), max(corners[2], corners[3]));
-  leastDepth = 0.5 * low.z + 0.5;
+  nearest = high.z;
 
-  // The plane of the triangle. Seen edge-on it has no depth to interpolate: the least one holds.
+  // The plane of the triangle. Seen edge-on it has no depth to interpolate: the nearest one holds.
   vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]) +
     cross(corners[2] - corners[0], corners[3] - corners[0]);
   // From the corners before they were cut and divided: a cut one may lie so far outside that nothing of
@@ -70,12 +70,9 @@ void main()
   bool isFaced = abs(normal.z) > 1e-12 && volume != 0.0;
   vec3 plane = isFaced
     ? (p.z * across + u.z * cross(v.xyw, p.xyw) + v.z * cross(p.xyw, u.xyw)) / volume
-    : vec3(0.0, 0.0, low.z);
-  vec2 gradient = plane.xy;
-  float depth0 = plane.z;
-  // Lowered to the least depth within a texel around its centre.
-  depth0 -= halfTexel * (abs(gradient.x) + abs(gradient.y));
-  depthPlane = 0.5 * vec3(gradient, depth0) + vec3(0.0, 0.0, 0.5);
+    : vec3(0.0, 0.0, high.z);
+  // Brought to the nearest depth within a texel around its centre.
+  depthPlane = plane + vec3(0.0, 0.0, halfTexel * (abs(plane.x) + abs(plane.y)));
 
   float turn = normal.z < 0.0 ? -1.0 : 1.0;
   for (int i = 0; i < 4; ++i)

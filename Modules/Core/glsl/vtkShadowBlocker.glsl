@@ -9,9 +9,9 @@ float linearDepth(float depth)
   return mapDirectional == 1 ? value : 1.0 / value;
 }
 
-// The map depth of a linear distance, at least 0.
+// The map depth of a linear distance, not before the near plane. Needs vtkShadowDepthMap.
 float mapDepthOfLinear(float z)
 {
   float value = mapDirectional == 1 ? z : 1.0 / z;
-  return max((value - depthToLinear.x) / depthToLinear.y, 0.0);
+  return max((value - depthToLinear.x) / depthToLinear.y, nearestDepth);
 }

@@ -1,6 +1,7 @@
 // A receiver in the coordinates of a depth map.
 //
-// Map coordinates (s, t, d) in [0, 1]^3 are a projective image of space: planes stay planes. The
+// Map coordinates (s, t, d), s and t in [0, 1] and d in [-1, 0], near to far, are a projective image of
+// space: planes stay planes. The depth map holds -d. The
 // receiver's plane is d = std.z + gradient . (st - std.xy), for every tap of a kernel, exactly.
 
 uniform sampler2DArray depthMaps;
@@ -16,7 +17,8 @@ struct MapPoint
 
 // Relative rounding of a view position after interpolation, and of the product with a matrix.
 const float positionRounding = 4e-7;
-// Spacing of 32-bit depths below 1, twice: the map's value and the rasteriser's interpolation.
+// Spacing of 32-bit depths below 1, twice: the map's value and the rasteriser's interpolation. Relative
+// to what depths are sums of.
 const float depthRounding = 2.4e-7;
 // In texels: 8 bits of subpixel precision.
 const float vertexSnapping = 0.004;
@@ -31,6 +33,7 @@ struct MapFrame
   vec3 rounding; // of std
   float least;   // below this normal.z is noise
   float bend;    // times 1 / normal.z: how far the surface bends towards the light
+  float size;    // of what depths around here are sums of, at most 1
 };
 
 MapFrame toFrame(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
@@ -57,6 +60,10 @@ MapFrame toFrame(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
   mat4 absolute = mat4(abs(viewToMap[0]), abs(viewToMap[1]), abs(viewToMap[2]), abs(viewToMap[3]));
   vec4 sums = absolute * magnitude;
   frame.rounding = positionRounding * (sums.xyz + abs(frame.std) * sums.w) / abs(w);
+  // In perspective all of a far depth is small; in parallel it is the small rest of large numbers.
+  bool isPerspective =
+    viewToMap[0][3] != 0.0 || viewToMap[1][3] != 0.0 || viewToMap[2][3] != 0.0;
+  frame.size = isPerspective ? min(sums.z / abs(w), 1.0) : 1.0;
   // The rasteriser snaps vertices to a fraction of a texel.
   frame.rounding.xy += vertexSnapping / depthMapSize;
 
@@ -87,7 +94,7 @@ MapPoint toPoint(MapFrame frame)
   point.facesCenter = frame.normal.z > 0.0;
   float slope = 1.0 / max(abs(frame.normal.z), frame.least);
   point.gradient = (point.facesCenter ? -slope : slope) * frame.normal.xy;
-  point.bias = depthRounding + frame.rounding.z + dot(abs(point.gradient), frame.rounding.xy) +
+  point.bias = depthRounding * frame.size + frame.rounding.z + dot(abs(point.gradient), frame.rounding.xy) +
     slope * frame.bend;
   return point;
 }
@@ -115,13 +122,15 @@ bool isBlocker(MapPoint point, vec2 st, float depth)
 }
 
 // An empty texel: nothing blocks there, however far behind the map's far plane the receiver is.
-const float emptyDepth = 1.0;
+const float emptyDepth = 0.0;
+// Of the near plane; what lies in front of it is drawn on it.
+const float nearestDepth = -1.0;
 const float infinitelyFar = 1e30;
 
 // The map's depth; beyond its border nothing blocks.
 float mapDepth(vec2 st, float layer)
 {
-  float depth = textureLod(depthMaps, vec3(st, layer), 0.0).r;
+  float depth = -textureLod(depthMaps, vec3(st, layer), 0.0).r;
   return depth < emptyDepth ? depth : infinitelyFar;
 }
 

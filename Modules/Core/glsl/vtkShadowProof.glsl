@@ -28,7 +28,7 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
   // Half a texel more on each side: a tap reads the texel that it lies in.
   vec2 low = point.std.xy - halfWidth;
   vec2 high = point.std.xy + halfWidth;
-  DepthRange range = DepthRange(false, all(greaterThan(low, vec2(0.0))) && all(lessThan(high, vec2(1.0))), 1.0);
+  DepthRange range = DepthRange(false, all(greaterThan(low, vec2(0.0))) && all(lessThan(high, vec2(1.0))), emptyDepth);
   // The finest level on which the rectangle touches at most 4 texels along each axis.
   vec2 extent = (high - low) * depthMapSize;
   int level = int(max(ceil(log2(max(max(extent.x, extent.y), 1.0) / 3.0)) - 1.0, 0.0));
@@ -67,8 +67,8 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
 // that blocks is farther away.
 float blockerReach(MapPoint point, vec2 kernelScale, float layer)
 {
-  // Everything in front of the near plane, d = 0, is empty.
-  float nearest = searchPyramid(point, kernelScale * max(point.std.z, 0.0), layer).nearest;
+  // Nothing lies in front of the near plane.
+  float nearest = searchPyramid(point, kernelScale * max(point.std.z - nearestDepth, 0.0), layer).nearest;
   return max(point.std.z - nearest, 0.0);
 }
 
@@ -86,7 +86,7 @@ float proveVisibility(MapPoint point, vec2 kernelScale, float layer)
     return oneSide ? 0.0 : -1.0;
   }
   float lit = oneSide ? 1.0 : -1.0;
-  vec2 widest = kernelScale * max(point.std.z, 0.0);
+  vec2 widest = kernelScale * max(point.std.z - nearestDepth, 0.0);
   DepthRange range = searchPyramid(point, widest, layer);
   if (!range.anyBlocker)
   {

@@ -77,7 +77,7 @@ void main()
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
   // Nothing lies in front of the nearest depth within the kernel; nor, on a second look, in front of the
   // nearest one where the light's image is as wide as it is there.
-  DepthRange depths = searchPyramid(point, kernelScale * max(point.std.z, 0.0), mapLayer);
+  DepthRange depths = searchPyramid(point, kernelScale * max(point.std.z - nearestDepth, 0.0), mapLayer);
   float reach = max(point.std.z - depths.nearest, 0.0);
   if (depths.anyBlocker)
   {

@@ -24,7 +24,7 @@ bool reaches(MapPoint point, vec2 offset, float depth)
   return all(lessThanEqual(abs(offset), image));
 }
 
-// The mean linear depth of the taps that block, as a map depth; negative if none does.
+// The mean linear depth of the taps that block, as a map depth; infinitelyFar if none does.
 float searchBlockers(MapPoint point, vec2 halfWidth)
 {
   float sum = 0.0;
@@ -44,7 +44,7 @@ float searchBlockers(MapPoint point, vec2 halfWidth)
       }
     }
   }
-  return total > 0.0 ? mapDepthOfLinear(sum / total) : -1.0;
+  return total > 0.0 ? mapDepthOfLinear(sum / total) : infinitelyFar;
 }
 
 float filterVisibility(MapPoint point, vec2 halfWidth)
@@ -71,16 +71,17 @@ void main()
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
-  // The paper's search is as wide as the light on the near plane, d = 0. With the footprint nothing
+  // The paper's search is as wide as the light on the near plane. With the footprint nothing
   // counts that lies outside the light's image at the nearest depth, and taps there are of no use.
   float reachable =
-    footprint == 1 ? blockerReach(point, kernelScale, mapLayer) : max(point.std.z, 0.0);
+    footprint == 1 ? blockerReach(point, kernelScale, mapLayer) : max(point.std.z - nearestDepth, 0.0);
   float blocker = searchBlockers(point, kernelScale * reachable);
   bool facesAll = point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0;
   float visibility = 1.0;
-  if (blocker >= 0.0 || !facesAll)
+  bool isBehind = blocker < infinitelyFar;
+  if (isBehind || !facesAll)
   {
-    float reach = blocker >= 0.0 ? max(point.std.z - blocker, 0.0) : 0.0;
+    float reach = isBehind ? max(point.std.z - blocker, 0.0) : 0.0;
     visibility = filterVisibility(point, kernelScale * reach);
   }
   gl_FragData[0] = vec4(weight * visibility);

@@ -32,7 +32,7 @@ bool canReuse(MapPoint point, float reach, vec4 other, vec2 expected)
   }
   // A row that was searched from another plane is as wrong as its distance is large.
   float otherReach = abs(other.w);
-  return offPlane(point, other.xyz) < alpha * point.std.z &&
+  return offPlane(point, other.xyz) < alpha * (point.std.z - nearestDepth) &&
     isNear(other.xyz, expected, kernelScale * reach) &&
     (otherReach <= leastReach || abs(otherReach - reach) <= reachTolerance * reach);
 }
@@ -105,7 +105,7 @@ int tapsOfSearch(float halfWidth)
   return reusePublished == 1 ? taps : min(taps, enough);
 }
 
-// Mean map depth of the blockers, negative if there are none, and the share of reused rows.
+// Mean map depth of the blockers, infinitelyFar if there are none, and the share of reused rows.
 vec2 searchBlockers(MapPoint point, float reach)
 {
   vec2 halfWidth = kernelScale * reach;
@@ -129,7 +129,7 @@ vec2 searchBlockers(MapPoint point, float reach)
       total = gatherBlockers(point, reach, walk, rows, taps);
     }
   }
-  return vec2(total.y > 0.0 ? mapDepthOfLinear(total.x / total.y) : -1.0, total.z);
+  return vec2(total.y > 0.0 ? mapDepthOfLinear(total.x / total.y) : infinitelyFar, total.z);
 }
 
 // Adds the weights of the blocked taps in a row beside the middle one, up to the first node, the
@@ -177,14 +177,15 @@ void main()
   MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
   vec2 search = searchBlockers(point, searchReach(point));
   // w: the depth between receiver and blockers, which is the filter's width.
-  float gap = search.x < 0.0 ? 0.0 : max(point.std.z - search.x, 0.0);
-  vec4 row = vec4(0.0, 0.0, 0.0, search.x < 0.0 ? SEPARABLE_LIT_ROW : gap);
+  bool isLit = search.x == infinitelyFar;
+  float gap = isLit ? 0.0 : max(point.std.z - search.x, 0.0);
+  vec4 row = vec4(0.0, 0.0, 0.0, isLit ? SEPARABLE_LIT_ROW : gap);
   if (!(point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0))
   {
     // The receiver's own surface hides some of the light, a part that is no product of rows.
     row = vec4(gap, 0.0, 0.0, SEPARABLE_NO_ROW);
   }
-  else if (search.x >= 0.0)
+  else if (!isLit)
   {
     row.xyz = filterMiddleRow(point, gap * kernelScale);
   }

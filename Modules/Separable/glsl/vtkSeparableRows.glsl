@@ -50,7 +50,7 @@ const float leastReach = 1e-12;
 // How far in front of the receiver blockers are searched, in depth.
 float searchReach(MapPoint point)
 {
-  return footprint == 1 ? blockerReach(point, kernelScale, mapLayer) : max(point.std.z, 0.0);
+  return footprint == 1 ? blockerReach(point, kernelScale, mapLayer) : max(point.std.z - nearestDepth, 0.0);
 }
 
 // How many taps of a row say all that the map holds: no more than taps, four per texel.

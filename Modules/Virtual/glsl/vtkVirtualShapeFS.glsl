@@ -126,7 +126,7 @@ void addShell(MapPoint point, float nearest, float farthest, bool isFirst, vec2 
   }
 }
 
-// The map depth of the blockers' mean linear depth; negative if nothing blocks.
+// The map depth of the blockers' mean linear depth; infinitelyFar if nothing blocks.
 //
 // The nearer a blocker stands to the receiver, the smaller is the light's image at its depth: each
 // octave of distances is searched with as many samples, the last one texel by texel.
@@ -150,7 +150,7 @@ float meanBlocker(MapPoint point, float farthest, vec2 pixelReach)
   {
     sums = blockers.near;
   }
-  return sums.y > 0.0 ? mapDepthOfLinear(sums.x / sums.y) : -1.0;
+  return sums.y > 0.0 ? mapDepthOfLinear(sums.x / sums.y) : infinitelyFar;
 }
 
 // False if nothing can block; else by how much of depth, at most, blockers stand in front.
@@ -158,13 +158,13 @@ float meanBlocker(MapPoint point, float farthest, vec2 pixelReach)
 // Every pixel of a quad comes here: the pyramid is looked up on one level for the four of them.
 bool mayBlockFrom(MapPoint point, vec2 pixelReach, out float farthest)
 {
-  DepthRange range = searchPyramid(point, kernelScale * max(point.std.z, 0.0) + pixelReach, mapLayer);
+  DepthRange range = searchPyramid(point, kernelScale * max(point.std.z - nearestDepth, 0.0) + pixelReach, mapLayer);
   // Nothing lies in front of the nearest depth, so nothing outside its kernel can matter.
   farthest = max(point.std.z - range.nearest, 0.0);
   DepthRange inner = searchPyramid(point, kernelScale * farthest + pixelReach, mapLayer);
   if (usePyramid == 0)
   {
-    farthest = max(point.std.z, 0.0);
+    farthest = max(point.std.z - nearestDepth, 0.0);
     return true;
   }
   farthest = max(point.std.z - inner.nearest, 0.0);
@@ -264,8 +264,8 @@ void main()
   }
   float inFront = shareInFront(point);
   mayBlock = mayBlock && inFront > 0.0;
-  float blocker = mayBlock ? meanBlocker(point, farthest, pixelReach) : -1.0;
-  if (blocker < 0.0)
+  float blocker = mayBlock ? meanBlocker(point, farthest, pixelReach) : infinitelyFar;
+  if (blocker == infinitelyFar)
   {
     gl_FragData[0].w = VIRTUAL_LIT + inFront;
     return;

@@ -22,6 +22,7 @@
 #include "vtkShadowTextureArray.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <vector>
 
 class BakingScene
@@ -65,12 +66,15 @@ public:
     return this->Maps->Bake(this->Renderer, this->Casters, views, resolution, conservative);
   }
 
-  /// The depths of one map, bottom row first.
+  /// The depths of one map, bottom row first, from 0 on the near plane to 1 where nothing is.
   std::vector<float> BakeDepths(
     const vtkShadowMapView& view, int resolution, bool conservative = false)
   {
     this->Bake({ view }, resolution, conservative);
-    return this->Maps->GetTexture()->ReadLayer(0);
+    std::vector<float> depths = this->Maps->GetTexture()->ReadLayer(0);
+    std::transform(
+      depths.begin(), depths.end(), depths.begin(), [](float held) { return 1.0f - held; });
+    return depths;
   }
 
   SoftShadowsTesting::OffscreenWindow Window;

@@ -40,7 +40,7 @@ Point ToMap(const vtkShadowMapView& view, const Point& p)
   {
     h[i] = m[4 * i] * p[0] + m[4 * i + 1] * p[1] + m[4 * i + 2] * p[2] + m[4 * i + 3];
   }
-  return { { h[0] / h[3], h[1] / h[3], h[2] / h[3] } };
+  return { { h[0] / h[3], h[1] / h[3], h[2] / h[3] + 1.0 } }; // as BakingScene::BakeDepths has it
 }
 
 // The part of a polygon where sign * (p[axis] - bound) >= 0.

@@ -13,7 +13,7 @@ namespace
 {
 // (minimum, maximum) over the map's texels that a texel of the pyramid stands for.
 std::pair<float, float> Expected(
-  const std::vector<float>& depths, int resolution, int x, int y, int edge)
+  const std::vector<float>& held, int resolution, int x, int y, int edge)
 {
   std::pair<float, float> range(2.0f, -1.0f);
   for (int j = y * edge; j < (y + 1) * edge; ++j)
@@ -21,7 +21,7 @@ std::pair<float, float> Expected(
     for (int i = x * edge; i < (x + 1) * edge; ++i)
     {
       const float depth =
-        i < resolution && j < resolution ? depths[static_cast<size_t>(j) * resolution + i] : 1.0f;
+        i < resolution && j < resolution ? -held[static_cast<size_t>(j) * resolution + i] : 0.0f;
       range.first = std::min(range.first, depth);
       range.second = std::max(range.second, depth);
     }
@@ -63,7 +63,7 @@ TEST_P(ShadowDepthPyramid, HoldsMinimumAndMaximumOfEveryLevelAndLayer)
   EXPECT_EQ(texture->GetWidth() >> (texture->GetLevels() - 1), 1) << "the last level is one texel";
   for (int layer = 0; layer < 2; ++layer)
   {
-    const std::vector<float> depths = scene.Maps->GetTexture()->ReadLayer(layer);
+    const std::vector<float> held = scene.Maps->GetTexture()->ReadLayer(layer);
     for (int level = 0; level < texture->GetLevels(); ++level)
     {
       const std::vector<float> ranges = texture->ReadLayer(layer, level);
@@ -72,7 +72,7 @@ TEST_P(ShadowDepthPyramid, HoldsMinimumAndMaximumOfEveryLevelAndLayer)
       {
         for (int x = 0; x < size; ++x)
         {
-          const auto expected = Expected(depths, resolution, x, y, 2 << level);
+          const auto expected = Expected(held, resolution, x, y, 2 << level);
           const size_t at = 2 * (static_cast<size_t>(y) * size + x);
           ASSERT_EQ(ranges[at], expected.first) << level << ": " << x << ", " << y;
           ASSERT_EQ(ranges[at + 1], expected.second) << level << ": " << x << ", " << y;

@@ -239,7 +239,7 @@ TEST(ShadowMapperCasters, WhatIsNotASurfaceGoesThroughItsMapper)
   EXPECT_EQ(mapperCasters(), 0);
   actor->GetProperty()->SetRepresentationToWireframe();
   EXPECT_EQ(mapperCasters(), 1);
-  const auto wires = scene.Maps->GetTexture()->ReadLayer(0);
+  const auto wires = scene.BakeDepths(MakeDownwardView(false), 60);
   EXPECT_EQ(wires[30 * 60 + 31], 1.0f) << "nothing between the wires";
   EXPECT_TRUE(std::any_of(wires.begin(), wires.end(), [](float d) { return d < 1.0f; }));
   actor->GetProperty()->SetRepresentationToSurface();
@@ -249,7 +249,7 @@ TEST(ShadowMapperCasters, WhatIsNotASurfaceGoesThroughItsMapper)
   plane->SetNormal(1.0, 0.0, 0.0);
   actor->GetMapper()->AddClippingPlane(plane);
   EXPECT_EQ(mapperCasters(), 1);
-  const auto half = scene.Maps->GetTexture()->ReadLayer(0);
+  const auto half = scene.BakeDepths(MakeDownwardView(false), 60);
   EXPECT_LT(half[30 * 60 + 35], 1.0f);
   EXPECT_EQ(half[30 * 60 + 22], 1.0f);
   actor->GetMapper()->RemoveAllClippingPlanes();

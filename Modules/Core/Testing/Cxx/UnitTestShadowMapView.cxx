@@ -99,10 +99,10 @@ TEST(ShadowMapView, PositionalMapByHand)
   const Vector map = Transform(view.WorldToMap(), { { 14.0, 22.0, 26.0 } });
   EXPECT_NEAR(map[0], (1.0 + 1.0) / 4.0, 1e-14);
   EXPECT_NEAR(map[1], (0.5 + 2.0) / 4.0, 1e-14);
-  EXPECT_NEAR(map[2], (1.0 / 4.0 - 1.0 / 2.0) / (1.0 / 8.0 - 1.0 / 2.0), 1e-14);
-  EXPECT_NEAR(view.GetDepthToLinear()[0], 0.5, 1e-15);
+  EXPECT_NEAR(map[2], (1.0 / 4.0 - 1.0 / 8.0) / (1.0 / 8.0 - 1.0 / 2.0), 1e-14);
+  EXPECT_NEAR(view.GetDepthToLinear()[0], 0.125, 1e-15);
   EXPECT_NEAR(view.GetDepthToLinear()[1], -0.375, 1e-15);
-  // At 1 / z_o - 1 / z_q = 0.375 (d = 0 and 1) the light's half extent is 0.5 * 0.375 in x / z.
+  // At 1 / z_o - 1 / z_q = 0.375 (d = -1 and 0) the light's half extent is 0.5 * 0.375 in x / z.
   EXPECT_NEAR(view.GetKernelScale()[0], 0.5 * 0.375 / 4.0, 1e-15);
   EXPECT_NEAR(view.GetKernelScale()[1], 0.25 * 0.375 / 4.0, 1e-15);
 }
@@ -114,8 +114,8 @@ TEST(ShadowMapView, DirectionalMapByHand)
   const Vector map = Transform(view.WorldToMap(), { { 12.0, 19.0, 25.0 } });
   EXPECT_NEAR(map[0], (2.0 + 1.0) / 4.0, 1e-14);
   EXPECT_NEAR(map[1], (-1.0 + 2.0) / 4.0, 1e-14);
-  EXPECT_NEAR(map[2], (5.0 - 2.0) / 6.0, 1e-14);
-  EXPECT_NEAR(view.GetDepthToLinear()[0], 2.0, 1e-15);
+  EXPECT_NEAR(map[2], (5.0 - 8.0) / 6.0, 1e-14);
+  EXPECT_NEAR(view.GetDepthToLinear()[0], 8.0, 1e-15);
   EXPECT_NEAR(view.GetDepthToLinear()[1], 6.0, 1e-15);
   EXPECT_NEAR(view.GetKernelScale()[0], 0.5 * 6.0 / 4.0, 1e-15);
   EXPECT_NEAR(view.GetKernelScale()[1], 0.25 * 6.0 / 4.0, 1e-15);
@@ -153,12 +153,17 @@ TEST_P(ShadowMapViewProperty, CornersOfTheWindowAreCornersOfTheMap)
         view.Window[2 + (corner >> 1 & 1)] * spread, z);
       const Vector map = Transform(view.WorldToMap(), world);
       const Vector clip = Transform(view.WorldToClip(), world);
-      for (int i = 0; i < 3; ++i)
+      const Vector halfClip = Transform(view.WorldToClip(true), world);
+      for (int i = 0; i < 2; ++i)
       {
         EXPECT_NEAR(map[i], expected[i], 1e-10) << "trial " << trial << ", corner " << corner;
         EXPECT_NEAR(clip[i], 2.0 * expected[i] - 1.0, 1e-10)
           << "trial " << trial << ", corner " << corner;
+        EXPECT_EQ(halfClip[i], clip[i]) << "trial " << trial << ", corner " << corner;
       }
+      EXPECT_NEAR(map[2], expected[2] - 1.0, 1e-10) << "trial " << trial << ", corner " << corner;
+      EXPECT_NEAR(clip[2], 1.0 - 2.0 * expected[2], 1e-10) << "trial " << trial;
+      EXPECT_NEAR(halfClip[2], 1.0 - expected[2], 1e-10) << "trial " << trial;
     }
   }
 }
@@ -173,11 +178,13 @@ TEST_P(ShadowMapViewProperty, ClipCoordinatesAreMapCoordinatesStretched)
     const Vector world = FromEmitter(view.Emitter, p[0], p[1], p[2]);
     const Vector map = Transform(view.WorldToMap(), world);
     const Vector clip = Transform(view.WorldToClip(), world);
+    const double expected[3] = { 2.0 * map[0] - 1.0, 2.0 * map[1] - 1.0, -2.0 * map[2] - 1.0 };
     for (int i = 0; i < 3; ++i)
     {
-      EXPECT_NEAR(clip[i], 2.0 * map[i] - 1.0, 1e-9 * (1.0 + std::abs(map[i])))
+      EXPECT_NEAR(clip[i], expected[i], 1e-9 * (1.0 + std::abs(map[i])))
         << "trial " << trial << ", component " << i;
     }
+    EXPECT_NEAR(Transform(view.WorldToClip(true), world)[2], -map[2], 1e-9);
   }
 }
 
@@ -190,8 +197,8 @@ TEST_P(ShadowMapViewProperty, LinearDepthUndoesTheMapsDepth)
     const Vector p = this->AnyPoint(view);
     const Vector world = FromEmitter(view.Emitter, p[0], p[1], p[2]);
     const double depth = Transform(view.WorldToMap(), world)[2];
-    EXPECT_GE(depth, -1e-10) << "trial " << trial;
-    EXPECT_LE(depth, 1.0 + 1e-10) << "trial " << trial;
+    EXPECT_GE(depth, -1.0 - 1e-10) << "trial " << trial;
+    EXPECT_LE(depth, 1e-10) << "trial " << trial;
     EXPECT_NEAR(view.LinearDepth(depth), p[2], 1e-9 * (1.0 + std::abs(p[2])))
       << "trial " << trial << ", depth value " << depth;
   }
