@@ -15,8 +15,8 @@
 #include <vtkProp.h>
 #include <vtkRenderer.h>
 
-#include <algorithm> // For std::max
-#include <limits>    // For the precision of numbers
+#include <array> // For terms of a sum
+#include <cmath> // For std::fma
 
 namespace softshadows
 {
@@ -30,48 +30,78 @@ bool IsFinite(const Vector& p)
 }
 
 //--------------------------------------------------------------------------------------------------
-// A surface's own matrix, taken to local coordinates. The origin is subtracted from the translation
-// before anything is multiplied: what is large in both cancels exactly.
+// The sum of products as if computed in twice the precision, then rounded (Ogita, Rump and Oishi
+// 2005): large terms may cancel.
+double AccurateDot(const std::array<double, 5>& a, const std::array<double, 5>& b)
+{
+  double sum = 0.0;
+  double lost = 0.0;
+  for (size_t i = 0; i < a.size(); ++i)
+  {
+    const double product = a[i] * b[i];
+    lost += std::fma(a[i], b[i], -product);
+    const double next = sum + product;
+    const double added = next - sum;
+    lost += (sum - (next - added)) + (product - added);
+    sum = next;
+  }
+  return sum + lost;
+}
+
+//--------------------------------------------------------------------------------------------------
+// A surface's own matrix, taken to local coordinates. Points are exact numbers. They are taken
+// relative to one among them, and so is the translation: what is large in all of them cancels
+// before anything is rounded, and what is lost follows the size of what is left.
 class ToLocalTransform
 {
 public:
-  ToLocalTransform(const std::array<double, 16>& toWorld, const Vector& origin, double scale)
+  ToLocalTransform(
+    const std::array<double, 16>& toWorld, const Vector& inner, const Vector& origin, double scale)
     : Matrix(toWorld)
+    , Inner(inner)
     , Scale(scale)
   {
     for (int row = 0; row < 3; ++row)
     {
-      this->Matrix[4 * row + 3] -= origin[row];
+      const double* m = toWorld.data() + 4 * row;
+      this->Place[row] = AccurateDot({ { m[0], m[1], m[2], m[3], origin[row] } },
+        { { inner[0], inner[1], inner[2], 1.0, -1.0 } });
     }
   }
 
   Vector operator()(const Vector& p) const
   {
+    const Vector d = p - this->Inner;
     Vector result;
     for (int row = 0; row < 3; ++row)
     {
       const double* m = this->Matrix.data() + 4 * row;
-      result[row] = this->Scale * (m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3]);
+      result[row] = this->Scale * (m[0] * d[0] + m[1] * d[1] + m[2] * d[2] + this->Place[row]);
     }
     return result;
   }
 
-  /// The most that one unit of any coordinate can become.
-  double Stretch() const
-  {
-    double largest = 0.0;
-    for (int column = 0; column < 3; ++column)
-    {
-      const double* m = this->Matrix.data() + column;
-      largest = std::max(largest, Length({ { m[0], m[4], m[8] } }));
-    }
-    return this->Scale * largest;
-  }
-
 private:
   std::array<double, 16> Matrix;
+  Vector Inner;
   double Scale;
+  Vector Place; // of the inner point, in the world, from the origin
 };
+
+//--------------------------------------------------------------------------------------------------
+Vector FirstFinitePoint(vtkPoints* points)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    Vector p;
+    points->GetPoint(i, p.data());
+    if (IsFinite(p))
+    {
+      return p;
+    }
+  }
+  return { { 0.0, 0.0, 0.0 } };
+}
 
 //--------------------------------------------------------------------------------------------------
 // One of vtkShadowCasters' keys, found by name: whoever could have set it has loaded that library.
@@ -89,7 +119,9 @@ vtkBoundingBox WorldBounds(const std::vector<ReferenceSurface>& surfaces)
   vtkBoundingBox box;
   for (const ReferenceSurface& surface : surfaces)
   {
-    const ToLocalTransform toWorld(surface.ToWorld, { { 0.0, 0.0, 0.0 } }, 1.0);
+    constexpr Vector zero{ { 0.0, 0.0, 0.0 } };
+    const ToLocalTransform toWorld(
+      surface.ToWorld, FirstFinitePoint(surface.Triangles->GetPoints()), zero, 1.0);
     double bounds[6];
     surface.Triangles->GetBounds(bounds);
     for (int corner = 0; corner < 8; ++corner)
@@ -103,21 +135,6 @@ vtkBoundingBox WorldBounds(const std::vector<ReferenceSurface>& surfaces)
     }
   }
   return box;
-}
-
-//--------------------------------------------------------------------------------------------------
-double PointPrecision(vtkPolyData* data)
-{
-  double bounds[6];
-  data->GetBounds(bounds);
-  double largest = 0.0;
-  for (double bound : bounds)
-  {
-    largest = std::max(largest, std::abs(bound));
-  }
-  const bool isDouble = data->GetPoints()->GetDataType() == VTK_DOUBLE;
-  return largest *
-    (isDouble ? std::numeric_limits<double>::epsilon() : std::numeric_limits<float>::epsilon());
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -176,7 +193,9 @@ ReferenceGeometry::ReferenceGeometry(vtkRenderer* renderer)
   }
   for (const ReferenceSurface& surface : surfaces)
   {
-    const ToLocalTransform toLocal(surface.ToWorld, this->Origin, this->Scale);
+    vtkPoints* points = surface.Triangles->GetPoints();
+    const ToLocalTransform toLocal(
+      surface.ToWorld, FirstFinitePoint(points), this->Origin, this->Scale);
     if (this->Objects.size() <= surface.Object)
     {
       this->Objects.resize(surface.Object + 1);
@@ -185,10 +204,8 @@ ReferenceGeometry::ReferenceGeometry(vtkRenderer* renderer)
     object.Prop = surface.Prop;
     object.Casts = IsSwitchedOn(surface.Prop, "CASTS_SHADOW");
     object.Receives = surface.Lit && IsSwitchedOn(surface.Prop, "RECEIVES_SHADOW");
-    object.Precision =
-      std::max(object.Precision, PointPrecision(surface.Triangles) * toLocal.Stretch());
     const size_t firstPoint = this->Points.size();
-    AppendPoints(surface.Triangles->GetPoints(), toLocal, this->Points);
+    AppendPoints(points, toLocal, this->Points);
     AppendTriangles(surface.Triangles, surface.Object, firstPoint, *this);
   }
 }

@@ -9,8 +9,8 @@
  * glyph mappers, lines, vertices, clipping planes, textures with alpha, shader replacements.
  *
  * Coordinates are local: local = Scale * (world - Origin), so that the scene lies in the unit ball.
- * The subtraction happens in double before anything is rounded: moving or scaling the scene changes
- * nothing.
+ * Points are exact numbers, in single precision too. The subtraction happens in double before
+ * anything is rounded: moving or scaling the scene changes nothing that its points themselves tell.
  */
 
 #ifndef SoftShadowsRayTracing_ReferenceGeometry_h
@@ -42,8 +42,6 @@ public:
     vtkProp* Prop = nullptr;
     bool Casts = true;
     bool Receives = true;
-    /// How far rounding may have moved its points, in local units.
-    double Precision = 0.0;
   };
 
   explicit ReferenceGeometry(vtkRenderer* renderer);

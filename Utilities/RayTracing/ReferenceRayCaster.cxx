@@ -4,7 +4,7 @@
 
 #include "ReferenceEmbree.h"
 
-#include <algorithm> // For std::max
+#include <algorithm> // For std::min and std::max
 #include <limits>    // For infinity
 #include <stdexcept> // For the lack of a device
 
@@ -13,22 +13,22 @@ namespace softshadows
 namespace
 {
 
-// Embree's rays start this much earlier and end this much later (local units: the scene has radius
-// 1): more than single precision can lose. The judgement in double precision takes back what is
-// found there.
-constexpr double FloatMargin = 4e-6;
+// More than single precision loses of a ray in the unit ball (local units). The boxes around
+// triangles are wider by it, and Embree's rays start earlier and end later: it leaves out nothing
+// that a ray meets, and what it offers is judged in double precision.
+constexpr double FloatMargin = 1e-6;
 
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 
-// A query as it is asked, in double precision, behind the context that Embree hands to the filter.
+// A query as it is asked, in double precision, behind the context that Embree hands on.
 struct Query
 {
   QueryContext Context; // first, so that a pointer to it is a pointer to the query
   const ReferenceGeometry* Geometry = nullptr;
   ReferenceRayCaster::Ray Ray;
-  double Distance = 0.0;
+  double Distance = 0.0; // of the nearest hit so far, or the ray's end
+  unsigned int Triangle = RTC_INVALID_GEOMETRY_ID;
   unsigned int LeftOut = RTC_INVALID_GEOMETRY_ID;
-  bool CastersOnly = false;
 };
 
 //--------------------------------------------------------------------------------------------------
@@ -60,22 +60,70 @@ double DistanceTo(
 }
 
 //--------------------------------------------------------------------------------------------------
-void JudgeCandidate(const RTCFilterFunctionNArguments* arguments)
+float FloatEnd(double distance)
 {
-  const auto* query = reinterpret_cast<const Query*>(arguments->context);
-  const unsigned int index = RTCHitN_primID(arguments->hit, arguments->N, 0);
-  const ReferenceGeometry& geometry = *query->Geometry;
-  const bool ignored = index == query->LeftOut ||
-    (query->CastersOnly && !geometry.Objects[geometry.Triangles[index].Object].Casts);
-  if (!ignored)
+  return static_cast<float>(distance + 2.0 * FloatMargin);
+}
+
+//--------------------------------------------------------------------------------------------------
+bool Meets(Query& query, unsigned int index)
+{
+  const double distance = DistanceTo(*query.Geometry, index, query.Ray);
+  if (!(distance > 0.0 && distance < query.Distance))
   {
-    const double distance = DistanceTo(geometry, index, query->Ray);
-    if (distance > 0.0 && distance < query->Distance)
-    {
-      return;
-    }
+    return false;
   }
-  arguments->valid[0] = 0;
+  query.Distance = distance;
+  query.Triangle = index;
+  return true;
+}
+
+//--------------------------------------------------------------------------------------------------
+void FindNearest(const RTCIntersectFunctionNArguments* arguments)
+{
+  auto* query = reinterpret_cast<Query*>(arguments->context);
+  if (arguments->valid[0] && Meets(*query, arguments->primID))
+  {
+    RTCRayN* ray = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
+    RTCRayN_tfar(ray, arguments->N, 0) = FloatEnd(query->Distance);
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void FindAny(const RTCOccludedFunctionNArguments* arguments)
+{
+  auto* query = reinterpret_cast<Query*>(arguments->context);
+  const unsigned int index = arguments->primID;
+  const ReferenceGeometry& geometry = *query->Geometry;
+  if (arguments->valid[0] && index != query->LeftOut &&
+    geometry.Objects[geometry.Triangles[index].Object].Casts && Meets(*query, index))
+  {
+    RTCRayN_tfar(arguments->ray, arguments->N, 0) = -Infinity; // ends the search
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void GetBounds(const RTCBoundsFunctionArguments* arguments)
+{
+  const auto& geometry = *static_cast<const ReferenceGeometry*>(arguments->geometryUserPtr);
+  const ReferenceGeometry::Triangle& triangle = geometry.Triangles[arguments->primID];
+  const Vector& a = geometry.Points[triangle.Points[0]];
+  const Vector& b = geometry.Points[triangle.Points[1]];
+  const Vector& c = geometry.Points[triangle.Points[2]];
+  Vector low;
+  Vector high;
+  for (int i = 0; i < 3; ++i)
+  {
+    low[i] = std::min({ a[i], b[i], c[i] }) - FloatMargin;
+    high[i] = std::max({ a[i], b[i], c[i] }) + FloatMargin;
+  }
+  RTCBounds* bounds = arguments->bounds_o;
+  bounds->lower_x = static_cast<float>(low[0]);
+  bounds->lower_y = static_cast<float>(low[1]);
+  bounds->lower_z = static_cast<float>(low[2]);
+  bounds->upper_x = static_cast<float>(high[0]);
+  bounds->upper_y = static_cast<float>(high[1]);
+  bounds->upper_z = static_cast<float>(high[2]);
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -98,7 +146,7 @@ RTCRay FloatRay(const ReferenceRayCaster::Ray& ray, double distance)
   result.dir_y = static_cast<float>(ray.Direction[1]);
   result.dir_z = static_cast<float>(ray.Direction[2]);
   result.tnear = 0.0F;
-  result.tfar = static_cast<float>(distance + 2.0 * FloatMargin);
+  result.tfar = FloatEnd(distance);
   result.time = 0.0F;
   result.mask = ~0U;
   result.id = 0;
@@ -156,24 +204,15 @@ public:
 private:
   void AddTriangles()
   {
-    RTCGeometry mesh = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0,
-      RTC_FORMAT_FLOAT3, 3 * sizeof(float), this->Geometry.Points.size()));
-    for (const Vector& point : this->Geometry.Points)
-    {
-      for (double coordinate : point)
-      {
-        *vertices++ = static_cast<float>(coordinate);
-      }
-    }
-    auto* indices = static_cast<unsigned int*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX,
-      0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), this->Geometry.Triangles.size()));
-    for (const ReferenceGeometry::Triangle& triangle : this->Geometry.Triangles)
-    {
-      indices = std::copy(triangle.Points.begin(), triangle.Points.end(), indices);
-    }
-    rtcSetGeometryIntersectFilterFunction(mesh, JudgeCandidate);
-    rtcSetGeometryOccludedFilterFunction(mesh, JudgeCandidate);
+    // Not Embree's own triangles: it would round their corners, and lose what is small in a large
+    // scene.
+    RTCGeometry mesh = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(
+      mesh, static_cast<unsigned int>(this->Geometry.Triangles.size()));
+    rtcSetGeometryUserData(mesh, const_cast<ReferenceGeometry*>(&this->Geometry));
+    rtcSetGeometryBoundsFunction(mesh, GetBounds, nullptr);
+    rtcSetGeometryIntersectFunction(mesh, FindNearest);
+    rtcSetGeometryOccludedFunction(mesh, FindAny);
     rtcCommitGeometry(mesh);
     rtcAttachGeometry(this->Scene, mesh);
     rtcReleaseGeometry(mesh);
@@ -200,13 +239,13 @@ bool ReferenceRayCaster::FindFirstHit(const Ray& ray, Hit& hit) const
   rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   Intersect(this->Impl->Scene, query.Context, rayHit);
-  if (rayHit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+  if (query.Triangle == RTC_INVALID_GEOMETRY_ID)
   {
     return false;
   }
-  hit.Triangle = rayHit.hit.primID;
+  hit.Triangle = query.Triangle;
   const ReferenceGeometry& geometry = this->Impl->Geometry;
-  hit.Point = near.Origin + DistanceTo(geometry, hit.Triangle, near) * near.Direction;
+  hit.Point = near.Origin + query.Distance * near.Direction;
   const Vector normal = Normalized(geometry.AreaVector(geometry.Triangles[hit.Triangle]));
   hit.Normal = Dot(normal, ray.Direction) > 0.0 ? -1.0 * normal : normal;
   return true;
@@ -217,10 +256,9 @@ bool ReferenceRayCaster::IsBlocked(const Ray& ray, double distance, unsigned int
 {
   Query query = this->Impl->NewQuery(ray, distance);
   query.LeftOut = leftOut;
-  query.CastersOnly = true;
   RTCRay floatRay = FloatRay(ray, distance);
   Occluded(this->Impl->Scene, query.Context, floatRay);
-  return floatRay.tfar == -Infinity;
+  return query.Triangle != RTC_INVALID_GEOMETRY_ID;
 }
 
 }

@@ -4,9 +4,9 @@
  * @class   ReferenceRayCaster
  * @brief   First hits and blocked segments among the triangles of a ReferenceGeometry.
  *
- * Embree finds candidates in single precision; each is then judged in double precision with the
- * triangle's own points, so that a hit counts only if it lies truly on the ray. Surfaces are
- * two-sided. All functions may be called from several threads at once.
+ * Embree finds candidates in single precision, by boxes wide enough to leave nothing out; each is
+ * then judged in double precision with the triangle's own points. So what is small in a large scene
+ * is as exact as what is large. Surfaces are two-sided. All functions may be called from several threads at once.
  */
 
 #ifndef SoftShadowsRayTracing_ReferenceRayCaster_h

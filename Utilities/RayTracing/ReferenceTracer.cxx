@@ -4,7 +4,7 @@
 
 #include "ReferenceSnapshot.h"
 
-#include <algorithm> // For std::max
+#include <algorithm> // For std::min
 #include <cmath>     // For NaN
 #include <limits>    // For NaN
 #include <stdexcept> // For bad arguments
@@ -47,10 +47,14 @@ private:
 };
 
 //--------------------------------------------------------------------------------------------------
+// Off the surface, in local units: some hundred times what double precision loses of a hit in the
+// unit ball. What stands out of a plane by more than that is there.
+constexpr double Offset = 1e-13;
+
+//--------------------------------------------------------------------------------------------------
 struct Receiver
 {
   ReferenceRayCaster::Hit Hit;
-  double Offset = 0.0; ///< Off the surface, towards the light.
   std::uint64_t Pixel = 0;
 };
 
@@ -70,14 +74,7 @@ public:
 
   bool FindReceiver(int column, int row, Receiver& receiver) const
   {
-    if (!this->Caster.FindFirstHit(this->Camera.GetRay(column, row), receiver.Hit))
-    {
-      return false;
-    }
-    // Neighbours in the same plane may stand out of it by their points' rounding.
-    constexpr double least = 1e-10;
-    receiver.Offset = std::max(least, 4.0 * this->GetObject(receiver).Precision);
-    return true;
+    return this->Caster.FindFirstHit(this->Camera.GetRay(column, row), receiver.Hit);
   }
 
   const ReferenceGeometry::Object& GetObject(const Receiver& receiver) const
@@ -94,7 +91,7 @@ public:
       return false; // behind the side that the camera sees: the surface itself is in the way
     }
     ReferenceRayCaster::Ray ray;
-    ray.Origin = receiver.Hit.Point + receiver.Offset * receiver.Hit.Normal;
+    ray.Origin = receiver.Hit.Point + Offset * receiver.Hit.Normal;
     double distance = std::numeric_limits<double>::infinity();
     ray.Direction = place;
     if (!light.IsDirectional())
