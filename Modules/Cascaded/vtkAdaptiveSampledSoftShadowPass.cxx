@@ -14,7 +14,6 @@ vtkAdaptiveSampledSoftShadowPass::vtkAdaptiveSampledSoftShadowPass()
   this->FitToView = false;
   this->Adaptive = true;
   this->Tolerance = 0.0625;
-  this->FilterSizes[0] = 2;
 }
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ namespace
 {
 constexpr double StepsPerOctave = 4.0;  // of the range's ends
 constexpr double ParallelSteps = 8.0;   // of the range's length, at least
-constexpr double FarAway = 1e38;        // farther than any depth, finite as a float
+constexpr double FarAway = 1e30;        // farther than any depth; its reciprocal is a normal float
 constexpr double NarrowestBand = 1e-6;  // of the depth: the shader divides by it
 constexpr double DepthTolerance = 1e-5; // of the depth: a receiver's depth is a float
 

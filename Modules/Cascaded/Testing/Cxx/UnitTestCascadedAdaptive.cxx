@@ -8,9 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 using namespace SoftShadowsTesting;
 
@@ -24,6 +28,14 @@ double ErrorOf(const Scene& scene, const Picture& visibility)
     errors.push_back(visibility.At(pixel.X, pixel.Y) - pixel.Expected);
   }
   return RootMeanSquare(errors);
+}
+
+// Where there is no surface there is no number, which equals nothing.
+std::vector<float> NoSurfaceIsNegative(std::vector<float> values)
+{
+  std::replace_if(
+    values.begin(), values.end(), [](float value) { return std::isnan(value); }, -1.0f);
+  return values;
 }
 }
 
@@ -109,6 +121,50 @@ TEST(AdaptiveSampledPass, BakesTheLevelsThatWereNeeded)
   scene.Light->SetShapeToPoint();
   window.Render();
   EXPECT_EQ(adaptive->GetStatistics().MapsBaked - first, 26);
+  UsePass(scene.Renderer, nullptr);
+  adaptive->ReleaseGraphicsResources(window.Get());
+}
+
+// It is a cascaded pass but for what its comment names: no setting that nothing reads.
+TEST(AdaptiveSampledPass, DiffersInFourDefaults)
+{
+  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
+  vtkNew<vtkCascadedSoftShadowPass> cascaded;
+  EXPECT_EQ(adaptive->GetNumberOfCascades(), 1);
+  EXPECT_TRUE(adaptive->GetAdaptive());
+  EXPECT_FALSE(adaptive->GetFitToView());
+  EXPECT_EQ(adaptive->GetTolerance(), 0.0625);
+  adaptive->SetNumberOfCascades(cascaded->GetNumberOfCascades());
+  adaptive->SetAdaptive(cascaded->GetAdaptive());
+  adaptive->SetFitToView(cascaded->GetFitToView());
+  adaptive->SetTolerance(cascaded->GetTolerance());
+  std::ostringstream settings[2];
+  adaptive->vtkCascadedSoftShadowPass::PrintSelf(settings[0], vtkIndent());
+  cascaded->PrintSelf(settings[1], vtkIndent());
+  const auto own = [](const std::string& text)
+  { return text.substr(text.find("NumberOfCascades")); };
+  EXPECT_EQ(own(settings[0].str()), own(settings[1].str()));
+}
+
+// The width of the filter in the maps counts with FIXED, and only there.
+TEST(AdaptiveSampledPass, FiltersMapsOnlyIfAsked)
+{
+  const Scene scene = MakeRectangleScene(Weights::Mean);
+  OffscreenWindow window(Width, Height);
+  window.Add(scene.Renderer);
+  vtkNew<vtkAdaptiveSampledSoftShadowPass> adaptive;
+  UsePass(scene.Renderer, adaptive);
+  const auto render = [&](int filter, int size)
+  {
+    adaptive->SetFilter(filter);
+    adaptive->SetFilterSize(0, size);
+    window.Render();
+    return NoSurfaceIsNegative(PictureOf(adaptive->GetVisibilityImage(0)).Values);
+  };
+  const auto unfiltered = render(vtkCascadedSoftShadowPass::SCREEN, 1);
+  EXPECT_EQ(render(vtkCascadedSoftShadowPass::SCREEN, 9), unfiltered);
+  EXPECT_EQ(render(vtkCascadedSoftShadowPass::FIXED, 1), unfiltered);
+  EXPECT_NE(render(vtkCascadedSoftShadowPass::FIXED, 9), unfiltered);
   UsePass(scene.Renderer, nullptr);
   adaptive->ReleaseGraphicsResources(window.Get());
 }
