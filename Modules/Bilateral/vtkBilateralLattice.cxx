@@ -3,6 +3,7 @@
 #include "vtkBilateralLattice.h"
 
 #include "vtkMath.h"
+#include "vtkShadowLattice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,26 +148,11 @@ void vtkBilateralLattice::Contract(double variance)
 //------------------------------------------------------------------------------
 void vtkBilateralLattice::FindCell(int count, int generator)
 {
-  // Gauss's reduction of the basis (1, g), (0, n) to its shortest vectors.
-  std::array<double, 2> a = { { 1.0, static_cast<double>(generator) } };
-  std::array<double, 2> b = { { 0.0, static_cast<double>(count) } };
-  const auto dot = [](const std::array<double, 2>& u, const std::array<double, 2>& v)
-  { return u[0] * v[0] + u[1] * v[1]; };
-  while (true)
-  {
-    if (dot(a, a) > dot(b, b))
-    {
-      std::swap(a, b);
-    }
-    // Rounded with ties downwards: to the nearest, ties would swing for ever.
-    const double steps = std::ceil(dot(a, b) / dot(a, a) - 0.5);
-    if (steps == 0.0)
-    {
-      break;
-    }
-    b = { { b[0] - steps * a[0], b[1] - steps * a[1] } };
-  }
+  const vtkShadowLattice::Basis basis = vtkShadowLattice::Reduce(count, generator);
   const double unit = 2.0 / count;
-  this->Cell = { { { { unit * a[0], unit * a[1] } }, { { unit * b[0], unit * b[1] } } } };
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Cell[i] = { { unit * basis[i][0], unit * basis[i][1] } };
+  }
 }
 VTK_ABI_NAMESPACE_END

@@ -3,8 +3,10 @@
 #include "vtkShadowLightSampling.h"
 
 #include "vtkMath.h"
+#include "vtkShadowLattice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -127,6 +129,7 @@ std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
 {
   count = emitter.HasExtent() ? std::max(count, 1) : 1;
   const int columns = pattern >= HAMMERSLEY ? 0 : FindColumns(count);
+  const vtkShadowLattice lattice(pattern == LATTICE ? count : 1);
   std::minstd_rand random(1);
   std::uniform_real_distribution<double> jitter(0.0, 1.0);
   std::vector<Sample> samples(count);
@@ -141,6 +144,12 @@ std::vector<vtkShadowLightSampling::Sample> vtkShadowLightSampling::Generate(
       const int rows = count / columns;
       sample.U = 2.0 * (i % columns + offset[0]) / columns - 1.0;
       sample.V = 2.0 * (i / columns + offset[1]) / rows - 1.0;
+    }
+    else if (pattern == LATTICE)
+    {
+      const std::array<double, 2> point = lattice.GetPoint(i);
+      sample.U = point[0];
+      sample.V = point[1];
     }
     else
     {

@@ -182,7 +182,7 @@ void vtkSampledSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 void vtkSampledSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const patterns[] = { "grid", "stratified", "hammersley" };
+  const char* const patterns[] = { "grid", "stratified", "hammersley", "sobol", "lattice" };
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "Pattern: " << patterns[this->Pattern] << "\n";
   os << indent

@@ -9,8 +9,9 @@
  * scene, and is the reference on the GPU: the other techniques are measured against it and against
  * ray tracing. Its price is the maps. One point is the hard shadow.
  *
- * The error of n points is about the banding of n steps: with a grid, 1 / sqrt(n) per edge that is
- * parallel to the grid, 1 / n for others; what remains at many points is the maps' resolution.
+ * The error of n points is about the banding of their steps: n of 1 / n, as a lattice has whatever the
+ * edge's direction; a grid has sqrt(n) of 1 / sqrt(n) at edges along the light's axes. What remains at
+ * many points is the maps' resolution.
  */
 
 #ifndef vtkSampledSoftShadowPass_h
@@ -45,13 +46,15 @@ public:
 
   ///@{
   /**
-   * How the points are spread; see vtkShadowLightSampling::PatternType. Default is GRID.
+   * How the points are spread; see vtkShadowLightSampling::PatternType. Default is LATTICE.
    */
-  vtkSetClampMacro(Pattern, int, vtkShadowLightSampling::GRID, vtkShadowLightSampling::HAMMERSLEY);
+  vtkSetClampMacro(Pattern, int, vtkShadowLightSampling::GRID, vtkShadowLightSampling::LATTICE);
   vtkGetMacro(Pattern, int);
   void SetPatternToGrid() { this->SetPattern(vtkShadowLightSampling::GRID); }
   void SetPatternToStratified() { this->SetPattern(vtkShadowLightSampling::STRATIFIED); }
   void SetPatternToHammersley() { this->SetPattern(vtkShadowLightSampling::HAMMERSLEY); }
+  void SetPatternToSobol() { this->SetPattern(vtkShadowLightSampling::SOBOL); }
+  void SetPatternToLattice() { this->SetPattern(vtkShadowLightSampling::LATTICE); }
   ///@}
 
   ///@{
@@ -87,7 +90,7 @@ protected:
   int GetTechniqueShaderBuilds() override;
 
   int NumberOfSamples = 16;
-  int Pattern = vtkShadowLightSampling::GRID;
+  int Pattern = vtkShadowLightSampling::LATTICE;
   int Weights = vtkShadowLightSampling::MEAN;
   int FilterSize = 1;
 

@@ -17,8 +17,8 @@ Technique MakeSampledTechnique()
     "sampled", "the mean of hard shadows from points of the light; converges to the truth", pass);
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
     pass, NumberOfSamples, "samples", "points of the light, a depth map each; 1 is a hard shadow"));
-  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
-    pass, Pattern, "pattern", "how the points are spread", { "grid", "stratified", "hammersley" }));
+  technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, Pattern, "pattern",
+    "how the points are spread", { "grid", "stratified", "hammersley", "sobol", "lattice" }));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(pass, FilterSize, "filter_size",

@@ -31,7 +31,7 @@ vtkShadowEmitter Lamp(int shape)
 
 const char* NameOf(int pattern)
 {
-  const char* names[] = { "Grid", "Stratified", "Hammersley", "Sobol" };
+  const char* names[] = { "Grid", "Stratified", "Hammersley", "Sobol", "Lattice" };
   return names[pattern];
 }
 
@@ -73,7 +73,7 @@ void ExpectNet(const Samples& samples, int exponent)
 INSTANTIATE_TEST_SUITE_P(Patterns, ShadowLightSampling,
   testing::Combine(testing::Values(int(vtkShadowEmitter::RECTANGLE), int(vtkShadowEmitter::DISK)),
     testing::Values(int(Sampling::GRID), int(Sampling::STRATIFIED), int(Sampling::HAMMERSLEY),
-      int(Sampling::SOBOL)),
+      int(Sampling::SOBOL), int(Sampling::LATTICE)),
     testing::Values(256, 240, 251, 100)),
   [](const testing::TestParamInfo<Parameters>& instance)
   {
@@ -269,8 +269,8 @@ TEST(ShadowLightSamplingPatterns, SunsAreUniformInSolidAngle)
 //------------------------------------------------------------------------------
 TEST(ShadowLightSamplingPatterns, WithoutExtentOnePointIsEnough)
 {
-  for (const int pattern :
-    { Sampling::GRID, Sampling::STRATIFIED, Sampling::HAMMERSLEY, Sampling::SOBOL })
+  for (const int pattern : { Sampling::GRID, Sampling::STRATIFIED, Sampling::HAMMERSLEY,
+         Sampling::SOBOL, Sampling::LATTICE })
   {
     const Samples samples = Sampling::Generate(vtkShadowEmitter(), 64, pattern, Sampling::MEAN);
     ASSERT_EQ(samples.size(), 1u) << NameOf(pattern);
@@ -283,7 +283,8 @@ TEST(ShadowLightSamplingPatterns, WithoutExtentOnePointIsEnough)
 //------------------------------------------------------------------------------
 TEST(ShadowLightSamplingPatterns, OnePointIsTheCentre)
 {
-  for (const int pattern : { Sampling::GRID, Sampling::HAMMERSLEY, Sampling::SOBOL })
+  for (const int pattern :
+    { Sampling::GRID, Sampling::HAMMERSLEY, Sampling::SOBOL, Sampling::LATTICE })
   {
     for (const int shape : { vtkShadowEmitter::RECTANGLE, vtkShadowEmitter::DISK })
     {
