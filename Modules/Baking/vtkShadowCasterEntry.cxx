@@ -45,6 +45,11 @@ std::array<double, 6> TransformBounds(const std::array<double, 16>& m, const dou
   return box;
 }
 
+bool IsSame(const vtkShadowCasters::Body& a, const vtkShadowCasters::Body& b)
+{
+  return a.Bounds == b.Bounds && a.Flat == b.Flat && (!a.Flat || a.Corners == b.Corners);
+}
+
 bool IsFinite(const double* values, int count)
 {
   return std::all_of(values, values + count, [](double v) { return std::isfinite(v); });
@@ -111,12 +116,12 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Place(
   }
   this->Moved = false;
   const bool hadBody = this->HasBody;
-  const vtkShadowCasters::Body old = this->Body;
+  const std::vector<vtkShadowCasters::Body> old = this->Parts;
   this->HasBody = this->FindBody(origin, scratch);
+  this->FindParts();
   // What only receives has no copy to compare with.
   change.Bodies = !this->Body.Casts || hadBody != this->HasBody ||
-    old.Bounds != this->Body.Bounds || old.Flat != this->Body.Flat ||
-    (old.Flat && old.Corners != this->Body.Corners);
+    !std::equal(old.begin(), old.end(), this->Parts.begin(), this->Parts.end(), IsSame);
   if (this->DrawsFromBuffer())
   {
     change.Casters = this->Write(buffer, scratch).Casters;
@@ -197,24 +202,61 @@ bool vtkShadowCasterEntry::FindBody(
 
 //------------------------------------------------------------------------------
 // A plane stays a plane under the matrix, unless that flattens it further.
-void vtkShadowCasterEntry::FindPlane()
+bool vtkShadowCasterEntry::SetCorners(const std::array<std::array<double, 3>, 4>& corners,
+  const std::array<double, 16>& matrix, vtkShadowCasters::Body& body)
 {
-  if (!this->Geometry.IsFlat())
+  for (std::size_t i = 0; i < 4; ++i)
   {
-    return;
-  }
-  for (int i = 0; i < 4; ++i)
-  {
-    this->Body.Corners[i] = TransformPoint(this->Matrix, this->Geometry.GetCorners()[i].data());
+    body.Corners[i] = TransformPoint(matrix, corners[i].data());
   }
   double u[3];
   double v[3];
-  vtkMath::Subtract(this->Body.Corners[2].data(), this->Body.Corners[0].data(), u);
-  vtkMath::Subtract(this->Body.Corners[3].data(), this->Body.Corners[1].data(), v);
-  vtkMath::Cross(u, v, this->Body.Normal.data());
+  vtkMath::Subtract(body.Corners[2].data(), body.Corners[0].data(), u);
+  vtkMath::Subtract(body.Corners[3].data(), body.Corners[1].data(), v);
+  vtkMath::Cross(u, v, body.Normal.data());
   const double extent = vtkMath::Dot(u, u) + vtkMath::Dot(v, v);
-  this->Body.Flat = vtkMath::Normalize(this->Body.Normal.data()) > 1e-12 * extent;
-  this->Body.Offset = vtkMath::Dot(this->Body.Normal.data(), this->Body.Corners[0].data());
+  body.Flat = vtkMath::Normalize(body.Normal.data()) > 1e-12 * extent;
+  body.Offset = vtkMath::Dot(body.Normal.data(), body.Corners[0].data());
+  return body.Flat;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterEntry::FindPlane()
+{
+  if (this->Geometry.IsFlat())
+  {
+    SetCorners(this->Geometry.GetCorners(), this->Matrix, this->Body);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterEntry::FindParts()
+{
+  this->Parts.clear();
+  if (!this->HasBody)
+  {
+    return;
+  }
+  for (const vtkShadowCasterClusters::Cluster& cluster : this->Geometry.GetClusters())
+  {
+    vtkShadowCasters::Body part = this->Body;
+    part.Bounds = TransformBounds(this->Matrix, cluster.Bounds.data());
+    for (std::size_t i = 0; i < 6; i += 2)
+    {
+      // The box of a turned box is larger than it need be, but nothing lies outside the whole.
+      part.Bounds[i] = std::max(part.Bounds[i], this->Body.Bounds[i]);
+      part.Bounds[i + 1] = std::min(part.Bounds[i + 1], this->Body.Bounds[i + 1]);
+    }
+    if (cluster.Flat)
+    {
+      SetCorners(cluster.Corners, this->Matrix, part);
+    }
+    this->Parts.push_back(part);
+  }
+  if (this->Parts.empty())
+  {
+    this->Parts.push_back(this->Body);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,8 @@ public:
   bool IsLeaf = false;       // of an assembly: Matrix is not the prop's own
   std::array<double, 16> Matrix{};
   vtkShadowCasters::Body Body;
+  /// What maps are fitted to: parts of the body, or itself.
+  std::vector<vtkShadowCasters::Body> Parts;
   bool HasBody = false;
 
   /**
@@ -79,6 +81,9 @@ private:
   void FindFacing();
   bool FindBody(const std::array<double, 3>& origin, std::vector<float>& scratch);
   void FindPlane();
+  void FindParts();
+  static bool SetCorners(const std::array<std::array<double, 3>, 4>& corners,
+    const std::array<double, 16>& matrix, vtkShadowCasters::Body& body);
   Change Write(vtkShadowCasterBuffer& buffer, const std::vector<float>& scratch);
 
   int Route = vtkShadowCasterSource::NONE;

@@ -90,6 +90,7 @@ void vtkShadowCasterGeometry::Clear()
   this->Indices.clear();
   this->NumberOfVertices = 0;
   this->Flat = false;
+  this->Clusters.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -104,6 +105,25 @@ void vtkShadowCasterGeometry::Build(const std::vector<vtkPolyData*>& pieces)
     }
   }
   this->FindPlane();
+  this->FindClusters();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterGeometry::FindClusters()
+{
+  if (!this->Flat && this->NumberOfVertices > 3)
+  {
+    this->Clusters = vtkShadowCasterClusters::Find(this->GatherPoints(), this->Indices);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkShadowCasterGeometry::GatherPoints() const
+{
+  std::vector<double> points;
+  points.reserve(3 * this->NumberOfVertices);
+  this->ForEachVertex([&points](const double* p) { points.insert(points.end(), p, p + 3); });
+  return points;
 }
 
 //------------------------------------------------------------------------------
@@ -279,10 +299,7 @@ bool vtkShadowCasterGeometry::Transform(
 //------------------------------------------------------------------------------
 int vtkShadowCasterGeometry::FindOrientation() const
 {
-  std::vector<double> points;
-  points.reserve(3 * this->NumberOfVertices);
-  this->ForEachVertex([&points](const double* p) { points.insert(points.end(), p, p + 3); });
-  return vtkShadowCasterOrientation::Find(points, this->Indices);
+  return vtkShadowCasterOrientation::Find(this->GatherPoints(), this->Indices);
 }
 
 //------------------------------------------------------------------------------
@@ -389,40 +406,8 @@ void vtkShadowCasterGeometry::FindCorners(const std::array<double, 3>& base,
     angles.push_back(std::atan2(b[1] - a[1], b[0] - a[0]));
   }
 
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  double least = infinity;
-  for (const double angle : angles)
-  {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    double low[2] = { infinity, infinity };
-    double high[2] = { -infinity, -infinity };
-    for (const auto& p : points)
-    {
-      const double q[2] = { c * p[0] + s * p[1], c * p[1] - s * p[0] };
-      for (int i = 0; i < 2; ++i)
-      {
-        low[i] = std::min(low[i], q[i]);
-        high[i] = std::max(high[i], q[i]);
-      }
-    }
-    const double area = (high[0] - low[0]) * (high[1] - low[1]);
-    if (area < least)
-    {
-      least = area;
-      const double u[4] = { low[0], high[0], high[0], low[0] };
-      const double v[4] = { low[1], low[1], high[1], high[1] };
-      for (int i = 0; i < 4; ++i)
-      {
-        const double x = c * u[i] - s * v[i];
-        const double y = s * u[i] + c * v[i];
-        for (int k = 0; k < 3; ++k)
-        {
-          this->Corners[i][k] = base[k] + x * axis[k] + y * other[k];
-        }
-      }
-    }
-  }
+  this->Corners =
+    vtkShadowCasterClusters::FindRectangle(points, angles, base.data(), axis.data(), other);
 }
 
 VTK_ABI_NAMESPACE_END

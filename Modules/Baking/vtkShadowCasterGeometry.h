@@ -12,7 +12,8 @@
 #ifndef vtkShadowCasterGeometry_h
 #define vtkShadowCasterGeometry_h
 
-#include "vtkDataArray.h"      // For the points
+#include "vtkDataArray.h" // For the points
+#include "vtkShadowCasterClusters.h"
 #include "vtkSmartPointer.h"   // For the points
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
@@ -47,6 +48,12 @@ public:
   /// If flat: the corners of a rectangle in that plane that holds all vertices, in order around it.
   const std::array<std::array<double, 3>, 4>& GetCorners() const { return this->Corners; }
 
+  /// Parts of the mesh for the fit of maps, in model coordinates; none if it is best taken as a whole.
+  const std::vector<vtkShadowCasterClusters::Cluster>& GetClusters() const
+  {
+    return this->Clusters;
+  }
+
   /// See vtkShadowCasterOrientation.
   int FindOrientation() const;
 
@@ -65,6 +72,8 @@ private:
   void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c);
   void RenumberPiece(Piece& piece, std::size_t firstIndex, vtkIdType numberOfPoints);
   void FindPlane();
+  void FindClusters();
+  std::vector<double> GatherPoints() const;
   bool FindNormal(std::array<double, 3>& base, std::array<double, 3>& axis,
     std::array<double, 3>& normal, double& extent) const;
   void FindCorners(const std::array<double, 3>& base, const std::array<double, 3>& axis,
@@ -80,6 +89,7 @@ private:
   std::size_t NumberOfVertices = 0;
   bool Flat = false;
   std::array<std::array<double, 3>, 4> Corners{};
+  std::vector<vtkShadowCasterClusters::Cluster> Clusters;
 };
 
 VTK_ABI_NAMESPACE_END

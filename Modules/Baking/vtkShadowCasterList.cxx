@@ -180,20 +180,19 @@ bool vtkShadowCasterList::MoveOrigin()
   int count = 0;
   for (const vtkShadowCasterEntry& entry : this->Entries)
   {
-    if (!entry.HasBody)
+    for (const Body& body : entry.Parts)
     {
-      continue;
+      const auto& box = body.Bounds;
+      const double size = std::sqrt(
+        std::pow(box[1] - box[0], 2) + std::pow(box[3] - box[2], 2) + std::pow(box[5] - box[4], 2));
+      const double weight = size > 0.0 ? 1.0 / size : 0.0;
+      for (int i = 0; i < 3; ++i)
+      {
+        mean[i] += 0.5 * weight * (box[2 * i] + box[2 * i + 1]);
+      }
+      weights += weight;
+      ++count;
     }
-    const auto& box = entry.Body.Bounds;
-    const double size = std::sqrt(
-      std::pow(box[1] - box[0], 2) + std::pow(box[3] - box[2], 2) + std::pow(box[5] - box[4], 2));
-    const double weight = size > 0.0 ? 1.0 / size : 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      mean[i] += 0.5 * weight * (box[2 * i] + box[2 * i + 1]);
-    }
-    weights += weight;
-    ++count;
   }
   if (!(weights > 0.0))
   {
@@ -220,9 +219,11 @@ void vtkShadowCasterList::CollectBodies()
   this->Bodies.clear();
   for (const vtkShadowCasterEntry& entry : this->Entries)
   {
-    if (entry.HasBody)
+    for (vtkShadowCasters::Body part : entry.Parts)
     {
-      this->Bodies.push_back(entry.Body);
+      part.Casts = entry.Body.Casts; // flags may change without the rest
+      part.Receives = entry.Body.Receives;
+      this->Bodies.push_back(part);
     }
   }
 }

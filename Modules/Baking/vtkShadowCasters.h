@@ -84,7 +84,8 @@ public:
   /// Grows whenever Update returns true; fits of depth maps are valid for one value of it.
   vtkGetMacro(BodiesTime, vtkMTimeType);
 
-  /// What the fit of a depth map needs to know of one prop (or leaf of an assembly).
+  /// What the fit of a depth map needs to know of one prop (or leaf of an assembly), or of a part of it
+  /// that is far from the rest, or flat.
   struct Body
   {
     /// World coordinates {xmin, xmax, ymin, ymax, zmin, zmax}, finite.
@@ -99,7 +100,7 @@ public:
     std::array<std::array<double, 3>, 4> Corners;
   };
 
-  /// All visible opaque props, casters and receivers alike.
+  /// All visible opaque props or their parts, casters and receivers alike.
   const std::vector<Body>& GetBodies() const;
 
   ///@{
