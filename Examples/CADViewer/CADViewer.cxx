@@ -201,8 +201,6 @@ void AddGround(vtkRenderer* renderer)
 void AddLamp(vtkRenderer* renderer)
 {
   vtkNew<vtkAreaLight> lamp;
-  lamp->SetPositional(1);
-  lamp->SetConeAngle(90.0); // no cone
   lamp->SetPosition(-2.0, -3.5, 6.0);
   lamp->SetFocalPoint(0.0, 0.0, 0.5);
   lamp->SetShapeToRectangle();

@@ -76,8 +76,6 @@ int main(int argc, char* argv[])
   AddSphereOnPlane(renderer);
 
   vtkNew<vtkAreaLight> lamp; // a vtkLight with an extent
-  lamp->SetPositional(1);
-  lamp->SetConeAngle(90.0); // no cone
   lamp->SetPosition(3, 4, 5);
   lamp->SetFocalPoint(0, 0, 0);
   lamp->SetShapeToRectangle();

@@ -86,8 +86,6 @@ int main(int argc, char* argv[])
   AddSquare(renderer, 1.0, 1.0);
 
   vtkNew<vtkAreaLight> lamp;
-  lamp->SetPositional(1);
-  lamp->SetConeAngle(90.0); // no cone
   lamp->SetPosition(0.0, 0.0, 4.0);
   lamp->SetFocalPoint(0.0, 0.0, 0.0);
   lamp->SetShapeToRectangle();

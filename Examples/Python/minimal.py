@@ -40,8 +40,6 @@ def make_renderer():
     add_actor(renderer, sphere)
 
     lamp = vtkAreaLight()  # a vtkLight with an extent
-    lamp.SetPositional(1)
-    lamp.SetConeAngle(90.0)  # no cone
     lamp.SetPosition(3.0, 4.0, 5.0)
     lamp.SetFocalPoint(0.0, 0.0, 0.0)
     lamp.SetShapeToRectangle()

@@ -23,8 +23,6 @@ def add_soft_shadows(renderer, position, focal_point, size):
     Returns the lamp and the pass, for later changes.
     """
     lamp = vtkAreaLight()
-    lamp.SetPositional(1)
-    lamp.SetConeAngle(90.0)
     lamp.SetPosition(position)
     lamp.SetFocalPoint(focal_point)
     lamp.SetShapeToRectangle()

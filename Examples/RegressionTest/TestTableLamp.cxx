@@ -74,8 +74,6 @@ int main(int argc, char* argv[])
   vtkNew<vtkRenderer> renderer;
   AddTable(renderer);
   vtkNew<vtkAreaLight> lamp; // of edge 1, at height 4
-  lamp->SetPositional(1);
-  lamp->SetConeAngle(90.0); // no cone
   lamp->SetPosition(0.0, 0.0, 4.0);
   lamp->SetFocalPoint(0.0, 0.0, 0.0);
   lamp->SetShapeToRectangle();

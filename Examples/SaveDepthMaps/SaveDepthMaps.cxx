@@ -131,8 +131,6 @@ int main(int argc, char* argv[])
   vtkNew<vtkRenderer> renderer;
   AddScene(renderer);
   vtkNew<vtkAreaLight> lamp;
-  lamp->SetPositional(1);
-  lamp->SetConeAngle(90.0); // no cone
   lamp->SetPosition(3.0, 4.0, 5.0);
   lamp->SetFocalPoint(0.0, 0.0, 0.0);
   lamp->SetSize(1.0, 1.0);

@@ -155,8 +155,6 @@ int main(int argc, char* argv[])
   AddFloorAndCanopy(renderer);
 
   vtkNew<vtkAreaLight> lamp;
-  lamp->SetPositional(1);
-  lamp->SetConeAngle(90.0); // no cone
   lamp->SetPosition(0.0, 0.0, LampHeight);
   lamp->SetFocalPoint(0.0, 0.0, 0.0);
   lamp->SetShapeToRectangle();

@@ -125,8 +125,6 @@ void AddFloorAndLamp(Pipeline& p)
   mapper->SetInputConnection(floor->GetOutputPort());
   AddActor(p.Renderer, mapper);
   vtkNew<vtkAreaLight> lamp;
-  lamp->SetPositional(1);
-  lamp->SetConeAngle(90.0); // no cone
   lamp->SetPosition(-2.5, -3.0, 6.5);
   lamp->SetFocalPoint(0.0, 0.0, 0.5);
   lamp->SetShapeToDisk();

@@ -4,9 +4,11 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationIterator.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
@@ -18,6 +20,7 @@
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
+#include <cstring>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkShadowCasters);
@@ -36,10 +39,40 @@ void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool value)
   prop->GetPropertyKeys()->Set(key, value ? 1 : 0);
 }
 
+// Whether the keys hold VTK's of these names. VTK does not define them since its passes were rewritten
+// for OpenGL 3.2, though their documentation still names them; programs make them by name.
+void FindKeysOfVTK(vtkInformation* keys, bool& occluder, bool& receiver)
+{
+  const int marks = keys->Has(vtkOpenGLRenderPass::RenderPasses()) ? 1 : 0;
+  if (keys->GetNumberOfKeys() == marks)
+  {
+    return; // as most props, in every frame: only what passes write there
+  }
+  vtkNew<vtkInformationIterator> iterator;
+  iterator->SetInformationWeak(keys);
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkInformationKey* key = iterator->GetCurrentKey();
+    if (std::strcmp(key->GetLocation(), "vtkShadowMapBakerPass") == 0)
+    {
+      occluder = occluder || std::strcmp(key->GetName(), "OCCLUDER") == 0;
+      receiver = receiver || std::strcmp(key->GetName(), "RECEIVER") == 0;
+    }
+  }
+}
+
 bool GetKey(vtkProp* prop, vtkInformationIntegerKey* key)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
-  return !keys || !keys->Has(key) || keys->Get(key) != 0;
+  if (!keys || keys->Has(key))
+  {
+    return !keys || keys->Get(key) != 0;
+  }
+  bool occluder = false;
+  bool receiver = false;
+  FindKeysOfVTK(keys, occluder, receiver);
+  const bool has = key == vtkShadowCasters::CASTS_SHADOW() ? occluder : receiver;
+  return has || !(occluder || receiver);
 }
 }
 

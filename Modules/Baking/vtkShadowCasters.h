@@ -52,6 +52,10 @@ public:
   /**
    * Keys in a prop's property keys: 0 switches off that the prop casts or receives shadows. Absent
    * means 1. The Set functions keep whatever other keys the prop has.
+   *
+   * A prop without a key of ours may have VTK's, OCCLUDER and RECEIVER of vtkShadowMapBakerPass. As
+   * VTK says, they count by being there: a prop with one of the two does that alone, one with both
+   * does both. Where VTK does not define them, vtkInformationIntegerKey::MakeKey does.
    */
   static vtkInformationIntegerKey* CASTS_SHADOW();
   static vtkInformationIntegerKey* RECEIVES_SHADOW();

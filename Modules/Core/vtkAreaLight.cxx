@@ -13,6 +13,14 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkAreaLight);
 
 //------------------------------------------------------------------------------
+vtkAreaLight::vtkAreaLight()
+{
+  constexpr double noCone = 90.0;
+  this->Positional = 1;
+  this->ConeAngle = noCone;
+}
+
+//------------------------------------------------------------------------------
 const char* vtkAreaLight::GetShapeAsString() const
 {
   switch (this->Shape)
@@ -24,6 +32,13 @@ const char* vtkAreaLight::GetShapeAsString() const
     default:
       return "rectangle";
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::SetPositional(vtkTypeBool positional)
+{
+  this->Superclass::SetPositional(positional);
+  this->WarnOfContradiction();
 }
 
 //------------------------------------------------------------------------------
@@ -41,6 +56,53 @@ void vtkAreaLight::SetSize(double width, double height)
     this->Size[0] = width;
     this->Size[1] = height;
     this->Modified();
+  }
+  this->SizeIsSet = true;
+  this->WarnOfContradiction();
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::SetAngularDiameter(double degrees)
+{
+  if (std::isnan(degrees))
+  {
+    vtkErrorMacro("AngularDiameter must be a number; it stays " << this->AngularDiameter << ".");
+    return;
+  }
+  const double clamped = std::min(
+    std::max(degrees, this->GetAngularDiameterMinValue()), this->GetAngularDiameterMaxValue());
+  if (this->AngularDiameter != clamped)
+  {
+    this->AngularDiameter = clamped;
+    this->Modified();
+  }
+  if (clamped > 0.0)
+  {
+    this->Superclass::SetPositional(0);
+  }
+  this->WarnOfContradiction();
+}
+
+//------------------------------------------------------------------------------
+// Once when a contradiction arises, not again until it is gone.
+void vtkAreaLight::WarnOfContradiction()
+{
+  const bool isUselessSize = !this->Positional && this->SizeIsSet;
+  const bool isUselessAngle = this->Positional && this->AngularDiameter > 0.0;
+  const bool isNews = !this->IsWarned && !this->WarnsOfNothing;
+  this->IsWarned = isUselessSize || isUselessAngle;
+  if (isNews && isUselessSize)
+  {
+    vtkWarningMacro(
+      "The light is directional, and its Size has no effect: set its AngularDiameter, "
+      "or call SetPositional(1).");
+  }
+  if (isNews && isUselessAngle)
+  {
+    vtkWarningMacro("The light is positional, and its AngularDiameter of "
+      << this->AngularDiameter
+      << " degrees has no effect: set its Size and an AngularDiameter of 0, or call "
+         "SetPositional(0).");
   }
 }
 
@@ -91,8 +153,10 @@ void vtkAreaLight::CopyExtent(vtkAreaLight* light)
 {
   this->SetShape(light->Shape);
   this->SetSize(light->Size);
+  this->SizeIsSet = light->SizeIsSet;
   this->SetViewUp(light->ViewUp);
   this->SetAngularDiameter(light->AngularDiameter);
+  this->SetPositional(light->Positional); // which an angular diameter has changed
 }
 
 //------------------------------------------------------------------------------
@@ -108,11 +172,13 @@ vtkLight* vtkAreaLight::ShallowClone()
 //------------------------------------------------------------------------------
 void vtkAreaLight::DeepCopy(vtkLight* light)
 {
+  this->WarnsOfNothing = true;
   this->Superclass::DeepCopy(light);
   if (vtkAreaLight* area = vtkAreaLight::SafeDownCast(light))
   {
     this->CopyExtent(area);
   }
+  this->WarnsOfNothing = false;
 }
 
 //------------------------------------------------------------------------------

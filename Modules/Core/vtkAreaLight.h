@@ -11,6 +11,16 @@
  * to its direction (focal point - position). Rectangles and disks shine to their front only. A
  * directional light is a disk of directions, uniform in solid angle, of AngularDiameter degrees.
  *
+ * Unlike a vtkLight, which is directional, an area light as constructed is positional and has no
+ * cone (a ConeAngle of 90 degrees): it needs a position, a focal point and a size. For a sun set its
+ * AngularDiameter. A setter that leaves a directional light with a size that was set, or a positional
+ * one with an angular diameter, warns: the one or the other has no effect.
+ *
+ * vtkLight's ShadowAttenuation says how much of the light a full shadow takes away, in the picture:
+ * 1, the default, all of it, 0 nothing. It is 1 - ShadowAttenuation * (1 - visibility) that the
+ * light's colour is multiplied with, as in vtkShadowMapPass; values outside [0, 1] count as the
+ * nearest within. Visibility as data does not know it.
+ *
  * The light's own plane has the axes direction x ViewUp (first component of Size) and ViewUp made
  * perpendicular to the direction (second component).
  *
@@ -56,11 +66,16 @@ public:
   const char* GetShapeAsString() const;
   ///@}
 
+  /**
+   * Whether the light has a place (1) or only a direction (0). Default is 1, vtkLight's is 0.
+   */
+  void SetPositional(vtkTypeBool positional) override;
+
   ///@{
   /**
    * Width and height of a positional light in world units: the edges of the rectangle or the
    * diameters of the disk. Zero is a point. Negative or non-finite sizes are refused with an error
-   * and change nothing. Default is (1, 1).
+   * and change nothing. Directional lights ignore it. Default is (1, 1).
    */
   void SetSize(double width, double height);
   void SetSize(const double size[2]) { this->SetSize(size[0], size[1]); }
@@ -80,10 +95,13 @@ public:
 
   ///@{
   /**
-   * Angle under which a directional light is seen, in degrees, in [0, 170]. The sun has 0.53.
-   * Positional lights ignore it. Default is 0, a hard shadow.
+   * Angle under which a directional light is seen, in degrees, clamped to [0, 170]. The sun has 0.53.
+   * More than 0 makes the light directional; 0 does not make it positional. What is not a number is
+   * refused with an error and changes nothing. Default is 0, of a directional light a hard shadow.
    */
-  vtkSetClampMacro(AngularDiameter, double, 0.0, 170.0);
+  virtual void SetAngularDiameter(double degrees);
+  virtual double GetAngularDiameterMinValue() { return 0.0; }
+  virtual double GetAngularDiameterMaxValue() { return 170.0; }
   vtkGetMacro(AngularDiameter, double);
   ///@}
 
@@ -97,15 +115,15 @@ public:
 
   ///@{
   /**
-   * Copy of all parameters. A plain light has no extent to copy: the own one stays. ShallowClone
-   * returns a vtkAreaLight that the caller owns and that shares the transform.
+   * Copy of all parameters, without a warning. A plain light has no extent to copy: the own one
+   * stays. ShallowClone returns a vtkAreaLight that the caller owns and that shares the transform.
    */
   vtkLight* ShallowClone() override;
   void DeepCopy(vtkLight* light);
   ///@}
 
 protected:
-  vtkAreaLight() = default;
+  vtkAreaLight();
   ~vtkAreaLight() override = default;
 
   int Shape = RECTANGLE;
@@ -117,7 +135,12 @@ private:
   vtkAreaLight(const vtkAreaLight&) = delete;
   void operator=(const vtkAreaLight&) = delete;
 
+  bool SizeIsSet = false;      // by SetSize: the default contradicts nothing
+  bool IsWarned = false;       // of the contradiction that there is
+  bool WarnsOfNothing = false; // while values are copied
+
   void CopyExtent(vtkAreaLight* light);
+  void WarnOfContradiction();
 };
 
 VTK_ABI_NAMESPACE_END

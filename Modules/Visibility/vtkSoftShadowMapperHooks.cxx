@@ -94,6 +94,8 @@ void vtkSoftShadowMapperHooks::SetUniforms(vtkShaderProgram* program, vtkProp* p
     program->SetUniformi("softShadowVisibility", this->VisibilityUnit);
     program->SetUniform1iv(
       "softShadowLayers", static_cast<int>(this->Layers.size()), this->Layers.data());
+    program->SetUniform1fv("softShadowAttenuations", static_cast<int>(this->Attenuations.size()),
+      this->Attenuations.data());
   }
 }
 VTK_ABI_NAMESPACE_END

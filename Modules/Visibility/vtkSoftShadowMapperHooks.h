@@ -35,7 +35,8 @@ public:
   int Stage = 0;
   int Origin[2] = { 0, 0 };
   int VisibilityUnit = 0;
-  std::vector<int> Layers; // per lit light, in the renderer's order
+  std::vector<int> Layers;         // per lit light, in the renderer's order
+  std::vector<float> Attenuations; // per lit light: vtkLight::ShadowAttenuation, within [0, 1]
   ///@}
 
   void PreReplace(std::string& fragmentShader, vtkProp* prop) const;

@@ -15,6 +15,7 @@
 #include "vtkSoftShadowScopedState.h"
 #include "vtkSoftShadowsOpenGL.h"
 
+#include <algorithm>
 #include <cstdint>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -120,6 +121,7 @@ void vtkSoftShadowPass::CollectLights(const vtkRenderState* s)
   Internals& impl = *this->Impl;
   impl.Lights.clear();
   impl.Hooks.Layers.clear();
+  impl.Hooks.Attenuations.clear();
   vtkLightCollection* lights = s->GetRenderer()->GetLights();
   vtkCollectionSimpleIterator iterator;
   lights->InitTraversal(iterator);
@@ -135,6 +137,8 @@ void vtkSoftShadowPass::CollectLights(const vtkRenderState* s)
     lit.Casts = vtkShadowEmitter::FromLight(light, lit.Emitter, lit.Reason);
     lit.Layer = lit.Casts ? layers++ : -1;
     impl.Hooks.Layers.push_back(lit.Layer);
+    impl.Hooks.Attenuations.push_back(
+      std::min(std::max(0.0f, light->GetShadowAttenuation()), 1.0f));
     impl.Lights.push_back(lit);
   }
   impl.Statistics.LightsLit = static_cast<int>(impl.Lights.size());

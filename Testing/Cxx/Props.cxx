@@ -162,8 +162,6 @@ vtkSmartPointer<vtkAreaLight> MakeLamp(const Point& position, const Point& focal
   lamp->SetLightTypeToSceneLight();
   lamp->SetPosition(position.data());
   lamp->SetFocalPoint(focalPoint.data());
-  lamp->PositionalOn();
-  lamp->SetConeAngle(90.0);
   lamp->SetShapeToDisk();
   lamp->SetSize(size, size);
   return lamp;

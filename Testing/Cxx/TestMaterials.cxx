@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -56,6 +57,26 @@ protected:
   }
 
   bool IsPhysicallyBased() const { return this->GetWay() == Drawing::PhysicallyBased; }
+
+  /// What the colours of an unshadowed picture become.
+  Picture Shadowed(Picture colors, const Picture& visibility, float attenuation) const
+  {
+    for (int y = 0; y < colors.Height; ++y)
+    {
+      for (int x = 0; x < colors.Width; ++x)
+      {
+        const float v = visibility.At(x, y);
+        const float light = std::isnan(v) ? 1.0f : 1.0f - attenuation * (1.0f - v);
+        // Physically based materials are shaded in linear colour and written with a gamma of 2.2.
+        const float factor = this->IsPhysicallyBased() ? std::pow(light, 1.0f / 2.2f) : light;
+        for (int c = 0; c < 3; ++c)
+        {
+          colors.At(x, y, c) *= factor;
+        }
+      }
+    }
+    return colors;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -103,27 +124,42 @@ TEST_P(Material, ColourIsMultipliedByVisibility)
     const Scene scene = MakeScene(positional);
     this->ExchangeReceiver(scene, this->GetWay());
     Stage stage(scene.Renderer, nullptr);
-    Picture expected = stage.RenderColors();
+    const Picture unshadowed = stage.RenderColors();
     stage.SetPass(this->MakePass());
     const Picture visibility = stage.RenderVisibility(scene.Light);
     const Picture actual = stage.GetWindow().Read();
-    for (int y = 0; y < expected.Height; ++y)
-    {
-      for (int x = 0; x < expected.Width; ++x)
-      {
-        const float v = visibility.At(x, y);
-        // Physically based materials are shaded in linear colour and written with a gamma of 2.2.
-        const float factor =
-          std::isnan(v) ? 1.0f : (this->IsPhysicallyBased() ? std::pow(v, 1.0f / 2.2f) : v);
-        for (int c = 0; c < 3; ++c)
-        {
-          expected.At(x, y, c) *= factor;
-        }
-      }
-    }
+    const Picture expected = this->Shadowed(unshadowed, visibility, 1.0f);
     EXPECT_TRUE(Matches(actual, expected, SameToRounding))
       << (positional ? "positional" : "directional");
   }
+}
+
+//------------------------------------------------------------------------------
+// In the picture alone. It is a uniform: nothing is baked and no program built for it.
+TEST_P(Material, ShadowAttenuationLightensTheShadow)
+{
+  const Scene scene = MakeScene(true);
+  this->ExchangeReceiver(scene, this->GetWay());
+  Stage stage(scene.Renderer, nullptr);
+  const Picture unshadowed = stage.RenderColors();
+  const auto pass = this->MakePass();
+  stage.SetPass(pass);
+  const Picture visibility = stage.RenderVisibility(scene.Light);
+  const vtkSoftShadowStatistics before = pass->GetStatistics();
+  for (const float attenuation : { 0.4f, 0.0f, 7.0f, -3.0f, 1.0f })
+  {
+    scene.Light->SetShadowAttenuation(attenuation);
+    const Picture actual = stage.RenderColors();
+    const Picture expected =
+      this->Shadowed(unshadowed, visibility, std::min(std::max(attenuation, 0.0f), 1.0f));
+    EXPECT_TRUE(Matches(actual, expected, SameToRounding)) << attenuation;
+    EXPECT_TRUE(Matches(stage.RenderVisibility(scene.Light), visibility, Identical));
+  }
+  const vtkSoftShadowStatistics& after = pass->GetStatistics();
+  EXPECT_EQ(after.MapsBaked, before.MapsBaked);
+  EXPECT_EQ(after.ShaderBuilds, before.ShaderBuilds);
+  EXPECT_EQ(after.MapperShaderBuilds, before.MapperShaderBuilds);
+  EXPECT_EQ(after.VisibilityFrames, before.VisibilityFrames);
 }
 
 //------------------------------------------------------------------------------

@@ -73,8 +73,6 @@ class Scene:
             self.renderer.AddActor(actor)
 
         self.lamp = vtksoftshadows.vtkAreaLight()
-        self.lamp.SetPositional(1)
-        self.lamp.SetConeAngle(90.0)  # no cone
         self.lamp.SetPosition(0.0, 0.0, 4.0)
         self.lamp.SetFocalPoint(0.0, 0.0, 0.0)
         self.lamp.SetShapeToRectangle()

@@ -32,7 +32,7 @@ vtkSmartPointer<vtkRenderer> MakeRoom(double lampSize)
   AddQuad(renderer, { { -4, 1, 0 } }, { { 8, 0, 0 } }, { { 0, 0, 4 } });
   AddQuad(renderer, { { -1, -1.5, 0.8 } }, { { 2, 0, 0 } }, { { 0, 2, 0 } });
   vtkNew<vtkAreaLight> lamp;
-  lamp->PositionalOn();
+  lamp->SetConeAngle(30.0);
   lamp->SetPosition(0.2, -1.0, 6.0);
   lamp->SetFocalPoint(0.2, -1.0, 0.0);
   lamp->SetShapeToRectangle();

@@ -221,7 +221,6 @@ Scene MakeRectangleScene(Weights weights, const Placement& placement)
   scene.Across = [](const Point& p)
   { return p[0] > -0.15 && std::abs(p[1] - 0.1) < 0.25 ? p[0] : NaN; };
 
-  scene.Light->PositionalOn();
   scene.Light->SetConeAngle(60.0);
   scene.Light->SetShapeToRectangle();
   scene.Light->SetSize(size[0] * placement.Scale, size[1] * placement.Scale);
@@ -247,8 +246,6 @@ Scene MakeDiskScene(const Placement& placement)
   scene.Visibility = [=](const Point& p) { return VisibilityOfDisk(p, 0.0, 1.0, lamp, radius); };
   scene.Across = [](const Point& p) { return p[0]; };
 
-  scene.Light->PositionalOn();
-  scene.Light->SetConeAngle(90.0);
   scene.Light->SetShapeToDisk();
   scene.Light->SetSize(2.0 * radius * placement.Scale, 2.0 * radius * placement.Scale);
   PlaceLight(scene, lamp, { { lamp[0], lamp[1], 0.0 } });

@@ -22,9 +22,13 @@ void ScaleLights(vtkRenderer* renderer, double scale)
   lights->InitTraversal(iterator);
   while (vtkLight* light = lights->GetNextLight(iterator))
   {
-    if (auto* area = vtkAreaLight::SafeDownCast(light))
+    vtkAreaLight* area = vtkAreaLight::SafeDownCast(light);
+    if (area && area->GetPositional())
     {
       area->SetSize(scale * area->GetSize()[0], scale * area->GetSize()[1]);
+    }
+    else if (area)
+    {
       area->SetAngularDiameter(scale * area->GetAngularDiameter());
     }
   }

@@ -9,14 +9,17 @@
 #include <vtkCellArrayIterator.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
+#include <vtkInformationIterator.h>
 #include <vtkInformationKeyLookup.h>
+#include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProp.h>
 #include <vtkRenderer.h>
 
-#include <array> // For terms of a sum
-#include <cmath> // For std::fma
+#include <array>  // For terms of a sum
+#include <cmath>  // For std::fma
+#include <string> // For the names of keys
 
 namespace softshadows
 {
@@ -104,13 +107,36 @@ Vector FirstFinitePoint(vtkPoints* points)
 }
 
 //--------------------------------------------------------------------------------------------------
+// One of VTK's shadows' keys, which programs make by name.
+bool HasKey(vtkInformation* keys, const std::string& name)
+{
+  vtkNew<vtkInformationIterator> iterator;
+  iterator->SetInformationWeak(keys);
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkInformationKey* key = iterator->GetCurrentKey();
+    if (key->GetName() == name && std::string(key->GetLocation()) == "vtkShadowMapBakerPass")
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//--------------------------------------------------------------------------------------------------
 // One of vtkShadowCasters' keys, found by name: whoever could have set it has loaded that library.
-bool IsSwitchedOn(vtkProp* prop, const char* name)
+// Without it one of VTK's shadows, which excludes what it does not name.
+bool IsSwitchedOn(
+  vtkProp* prop, const char* name, const char* nameOfVTK, const char* otherNameOfVTK)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
   auto* key =
     vtkInformationIntegerKey::SafeDownCast(vtkInformationKeyLookup::Find(name, "vtkShadowCasters"));
-  return !keys || !key || !keys->Has(key) || keys->Get(key) != 0;
+  if (!keys || (key && keys->Has(key)))
+  {
+    return !keys || keys->Get(key) != 0;
+  }
+  return HasKey(keys, nameOfVTK) || !HasKey(keys, otherNameOfVTK);
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -202,8 +228,9 @@ ReferenceGeometry::ReferenceGeometry(vtkRenderer* renderer)
     }
     Object& object = this->Objects[surface.Object];
     object.Prop = surface.Prop;
-    object.Casts = IsSwitchedOn(surface.Prop, "CASTS_SHADOW");
-    object.Receives = surface.Lit && IsSwitchedOn(surface.Prop, "RECEIVES_SHADOW");
+    object.Casts = IsSwitchedOn(surface.Prop, "CASTS_SHADOW", "OCCLUDER", "RECEIVER");
+    object.Receives =
+      surface.Lit && IsSwitchedOn(surface.Prop, "RECEIVES_SHADOW", "RECEIVER", "OCCLUDER");
     const size_t firstPoint = this->Points.size();
     AppendPoints(points, toLocal, this->Points);
     AppendTriangles(surface.Triangles, surface.Object, firstPoint, *this);

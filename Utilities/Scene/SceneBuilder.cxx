@@ -75,7 +75,6 @@ void SetUpLight(const LightDescription& description, vtkAreaLight* light)
 {
   constexpr double noCone = 90.0;
   light->SetLightTypeToSceneLight();
-  light->SetPositional(!description.Directional);
   light->SetPosition(description.Position.data());
   light->SetFocalPoint(description.FocalPoint.data());
   if (description.ViewUp)
@@ -94,8 +93,13 @@ void SetUpLight(const LightDescription& description, vtkAreaLight* light)
       light->SetShapeToPoint();
       break;
   }
-  light->SetSize(description.Size.data());
-  light->SetAngularDiameter(description.AngularDiameter);
+  // A light has an angle or a size: both would contradict each other.
+  light->SetAngularDiameter(description.Directional ? description.AngularDiameter : 0.0);
+  light->SetPositional(!description.Directional);
+  if (!description.Directional)
+  {
+    light->SetSize(description.Size.data());
+  }
   light->SetConeAngle(std::min(description.ConeAngle, noCone));
   light->SetExponent(0.0); // as bright at the cone's edge as in its middle
   light->SetColor(description.Color[0], description.Color[1], description.Color[2]);

@@ -50,8 +50,6 @@ def make_renderer():
         renderer.AddActor(actor)
 
     lamp = vtkAreaLight()
-    lamp.SetPositional(1)
-    lamp.SetConeAngle(90.0)
     lamp.SetPosition(3.0, 4.0, 5.0)
     lamp.SetFocalPoint(0.0, 0.0, 0.0)
     lamp.SetSize(1.0, 1.0)

@@ -31,6 +31,7 @@ SceneFrame::SceneFrame(const BuiltScene& scene, vtkSoftShadowPass* pass, int wid
   {
     // The pass finds visible points for its lights only; this one is for the depth.
     vtkNew<vtkAreaLight> dark;
+    dark->SetPositional(0);
     dark->SetIntensity(0.0);
     scene.Renderer->AddLight(dark);
   }

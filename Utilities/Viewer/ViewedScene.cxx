@@ -25,6 +25,7 @@ ViewedScene::ViewedScene(const ViewerState& state, ModelStore& models)
   {
     // The pass finds visible points for its lights only; this one is for the depth.
     vtkNew<vtkAreaLight> dark;
+    dark->SetPositional(0);
     dark->SetIntensity(0.0);
     this->Built.Renderer->AddLight(dark);
   }

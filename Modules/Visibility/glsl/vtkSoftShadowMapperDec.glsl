@@ -5,6 +5,7 @@ uniform float softShadowReceives; // the mark of this prop's receivers
 uniform ivec2 softShadowOrigin;   // lower left pixel of the viewport
 uniform sampler2DArray softShadowVisibility;
 uniform int softShadowLayers[SOFT_SHADOW_LIGHTS]; // -1: casts nothing
+uniform float softShadowAttenuations[SOFT_SHADOW_LIGHTS]; // what a full shadow takes away, 0 to 1
 
 float softShadowFactor(int light)
 {
@@ -15,5 +16,5 @@ float softShadowFactor(int light)
   }
   ivec2 pixel = ivec2(gl_FragCoord.xy) - softShadowOrigin;
   float visibility = texelFetch(softShadowVisibility, ivec3(pixel, layer), 0).r;
-  return visibility < 0.0 ? 1.0 : visibility;
+  return visibility < 0.0 ? 1.0 : mix(1.0, visibility, softShadowAttenuations[light]);
 }

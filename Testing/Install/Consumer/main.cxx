@@ -67,8 +67,6 @@ int main()
   AddSquare(renderer, 0.5, 1.0);
 
   vtkNew<vtkAreaLight> lamp;
-  lamp->SetPositional(1);
-  lamp->SetConeAngle(90.0);
   lamp->SetPosition(0.0, 0.0, 4.0);
   lamp->SetFocalPoint(0.0, 0.0, 0.0);
   lamp->SetShapeToRectangle();

@@ -116,7 +116,6 @@ void SetUp(Contestant& contestant, const Scene& scene)
   AddActor(contestant, ground);
   scene(contestant);
   vtkAreaLight* light = contestant.Light;
-  light->SetPositional(true);
   light->SetConeAngle(40.0);
   light->SetPosition(4.0, -6.0, 12.0);
   light->SetFocalPoint(0.0, 0.0, 0.0);

@@ -13,6 +13,8 @@
 #include <vtkCamera.h>
 #include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkCubeSource.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -52,10 +54,8 @@ protected:
       MakeQuadActor({ { { { -2.0, -2.0, 0.0 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } } } });
     this->Renderer->AutomaticLightCreationOff();
     this->Renderer->AddActor(this->Floor);
-    this->Lamp->PositionalOn();
     this->Lamp->SetPosition(0.0, 0.0, 4.0);
     this->Lamp->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Lamp->SetConeAngle(90.0);
     this->Lamp->SetSize(0.2, 0.2);
     this->Renderer->AddLight(this->Lamp);
     vtkCamera* camera = this->Renderer->GetActiveCamera();
@@ -137,15 +137,33 @@ TEST_F(ReferenceConventions, KeysSwitchCastingAndReceiving)
 }
 
 //--------------------------------------------------------------------------------------------------
+TEST_F(ReferenceConventions, KeysOfVTKCountWhereThereIsNoneOfOurs)
+{
+  vtkSmartPointer<vtkActor> blocker = MakeBlocker(-0.6); // shadow around x = -1.2
+  this->Renderer->AddActor(blocker);
+  vtkNew<vtkInformation> keys;
+  blocker->SetPropertyKeys(keys);
+  keys->Set(vtkInformationIntegerKey::MakeKey("RECEIVER", "vtkShadowMapBakerPass"), 1);
+  EXPECT_EQ(this->Trace().Visibility[0][At(-1.6, 0.1)], 1.0F) << "a receiver is no occluder";
+  keys->Set(vtkShadowCasters::CASTS_SHADOW(), 1);
+  EXPECT_EQ(this->Trace().Visibility[0][At(-1.6, 0.1)], 0.0F) << "ours first";
+  keys->Clear();
+  keys->Set(vtkInformationIntegerKey::MakeKey("OCCLUDER", "vtkShadowMapBakerPass"), 1);
+  const ReferenceVisibility result = this->Trace();
+  EXPECT_EQ(result.Visibility[0][At(-1.6, 0.1)], 0.0F) << "an occluder";
+  EXPECT_TRUE(std::isnan(result.Visibility[0][At(-0.6, 0.1)])) << "is no receiver";
+}
+
+//--------------------------------------------------------------------------------------------------
 TEST_F(ReferenceConventions, NothingIsKnownOutsideTheConeAndBehindTheLight)
 {
   this->Lamp->SetConeAngle(15.0); // radius 1.07 on the floor
   ReferenceVisibility result = this->Trace();
   EXPECT_EQ(result.Visibility[0][At(0.8, 0.1)], 1.0F);
   EXPECT_TRUE(std::isnan(result.Visibility[0][At(1.4, 0.1)]));
-  this->Lamp->SetConeAngle(90.0);
   this->Lamp->SetFocalPoint(0.0, 0.0, 5.0);
   EXPECT_TRUE(std::isnan(this->Trace().Visibility[0][At(0.8, 0.1)]));
+  this->Lamp->SetConeAngle(90.0);
   this->Lamp->SetShapeToPoint();
   EXPECT_EQ(this->Trace().Visibility[0][At(0.8, 0.1)], 1.0F) << "a point shines to all sides";
 }
@@ -156,7 +174,6 @@ TEST_F(ReferenceConventions, LightsThatAreOffAreLeftOut)
   vtkNew<vtkAreaLight> off;
   off->SwitchOff();
   vtkNew<vtkAreaLight> sun;
-  sun->PositionalOff();
   sun->SetPosition(1.0, 0.0, 1.0);
   sun->SetAngularDiameter(0.5);
   this->Renderer->AddLight(off);

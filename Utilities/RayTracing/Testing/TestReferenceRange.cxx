@@ -66,8 +66,6 @@ struct TwoBoxes
       this->Renderer->AddActor(actor);
     }
     this->Renderer->AutomaticLightCreationOff();
-    this->Lamp->PositionalOn();
-    this->Lamp->SetConeAngle(90.0);
     this->Lamp->SetPosition(where.ToWorld({ { 4.0, -4.0, 8.0 } }).data());
     this->Lamp->SetFocalPoint(where.ToWorld({ { 0.0, 0.0, 0.0 } }).data());
     this->Lamp->SetSize(2.0 * where.Scale, 2.0 * where.Scale);

@@ -51,9 +51,7 @@ protected:
     this->Renderer->AddActor(
       MakeQuadActor({ { { { -4.0, -4.0, 0.0 } }, { { 8.0, 0.0, 0.0 } }, { { 0.0, 8.0, 0.0 } } } }));
     this->Renderer->AddActor(this->Blocker);
-    this->Lamp->PositionalOn();
     this->Lamp->SetPosition(0.0, 0.0, 4.0);
-    this->Lamp->SetConeAngle(90.0);
     this->Lamp->SetSize(1.0, 1.0);
     this->Renderer->AddLight(this->Lamp);
     vtkCamera* camera = this->Renderer->GetActiveCamera();

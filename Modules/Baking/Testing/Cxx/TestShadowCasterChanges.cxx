@@ -4,6 +4,7 @@
 #include "CasterHeights.h"
 
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
 
@@ -35,6 +36,37 @@ TEST(ShadowCasters, OnlyVisibleOpaqueCastersCast)
   EXPECT_EQ(actor->GetPropertyKeys()->GetNumberOfKeys(), 2);
   scene.Renderer->RemoveActor(actor);
   EXPECT_TRUE(Heights(scene).IsEmptyAt(0.0, 0.0));
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowCasters, KeysOfVTKCountWhereThereIsNoneOfOurs)
+{
+  static vtkInformationIntegerKey* occluder =
+    vtkInformationIntegerKey::MakeKey("OCCLUDER", "vtkShadowMapBakerPass");
+  static vtkInformationIntegerKey* receiver =
+    vtkInformationIntegerKey::MakeKey("RECEIVER", "vtkShadowMapBakerPass");
+  BakingScene scene;
+  auto actor = MakeActor(MakeBox(-0.5, 0.5, -0.5, 0.5, 0.5));
+  scene.Renderer->AddActor(actor);
+  vtkNew<vtkInformation> keys;
+  const auto expect = [&](bool casts, bool receives, const char* what)
+  {
+    actor->SetPropertyKeys(keys);
+    EXPECT_EQ(Heights(scene).IsEmptyAt(0.0, 0.0), !casts) << what;
+    EXPECT_EQ(vtkShadowCasters::GetCastsShadow(actor), casts) << what;
+    EXPECT_EQ(vtkShadowCasters::GetReceivesShadow(actor), receives) << what;
+  };
+  expect(true, true, "none");
+  keys->Set(receiver, 1);
+  expect(false, true, "a receiver");
+  keys->Set(occluder, 0);
+  expect(true, true, "both, whatever their values");
+  keys->Remove(receiver);
+  expect(true, false, "an occluder");
+  keys->Set(vtkShadowCasters::RECEIVES_SHADOW(), 1);
+  expect(true, true, "ours first, of receiving");
+  keys->Set(vtkShadowCasters::CASTS_SHADOW(), 0);
+  expect(false, true, "ours first, of casting");
 }
 
 //------------------------------------------------------------------------------

@@ -52,7 +52,6 @@ protected:
     this->Renderer->AutomaticLightCreationOff();
     this->Light->SetPosition(0.0, 0.0, 5.0);
     this->Light->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Light->SetPositional(true);
     this->Light->SetConeAngle(60.0);
     this->Light->SetSize(0.4, 0.4);
     this->Renderer->AddLight(this->Light);

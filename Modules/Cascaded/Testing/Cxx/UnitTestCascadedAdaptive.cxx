@@ -324,7 +324,6 @@ TEST(AdaptiveSampledPass, OnlyTheLastFramesPointsCount)
   stage.Pass->SetNumberOfCascades(1);
   EXPECT_EQ(count(), single);
   vtkNew<vtkAreaLight> sun;
-  sun->PositionalOff();
   sun->SetPosition(3.0, -1.0, 5.0);
   sun->SetFocalPoint(0.0, 0.0, 0.0);
   sun->SetAngularDiameter(3.0);

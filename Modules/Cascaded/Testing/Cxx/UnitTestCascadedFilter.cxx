@@ -245,7 +245,6 @@ TEST(CascadedFilter, FacetsThrowNoLines)
   renderer->AddActor(actor);
   AddQuad(renderer, { { -3, -3, -1 } }, { { 6, 0, 0 } }, { { 0, 6, 0 } });
   vtkNew<vtkAreaLight> lamp;
-  lamp->PositionalOn();
   lamp->SetConeAngle(60.0);
   lamp->SetPosition(0.3, 0.2, 4.0);
   lamp->SetFocalPoint(0.0, 0.0, 0.0);

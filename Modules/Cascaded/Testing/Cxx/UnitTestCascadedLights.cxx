@@ -40,7 +40,6 @@ vtkSmartPointer<vtkRenderer> MakeWalls()
 vtkSmartPointer<vtkAreaLight> MakeSun()
 {
   auto sun = vtkSmartPointer<vtkAreaLight>::New();
-  sun->PositionalOff();
   sun->SetPosition(0.0, -1.0, 0.2);
   sun->SetFocalPoint(0.0, 0.0, 0.0);
   sun->SetAngularDiameter(1.0);
@@ -51,7 +50,6 @@ vtkSmartPointer<vtkAreaLight> MakeSun()
 vtkSmartPointer<vtkAreaLight> MakeLamp()
 {
   auto lamp = vtkSmartPointer<vtkAreaLight>::New();
-  lamp->PositionalOn();
   lamp->SetConeAngle(10.0);
   lamp->SetPosition(-3.0, 0.0, 0.0);
   lamp->SetFocalPoint(-3.0, 10.0, 0.0);

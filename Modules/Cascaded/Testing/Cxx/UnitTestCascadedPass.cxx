@@ -76,7 +76,6 @@ TEST(CascadedPass, ReceiversInOneCascadeBakeOneCascade)
   vtkNew<vtkAreaLight> lamp;
   lamp->SetPosition(0.0, -5.0, 60.0);
   lamp->SetFocalPoint(0.0, 10.0, 0.0);
-  lamp->PositionalOn();
   lamp->SetConeAngle(60.0);
   renderer->AddLight(lamp);
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -98,7 +97,6 @@ TEST(CascadedPass, ReceiversWithoutCastersBakeNothing)
   AddQuad(renderer, { { -500, 0, 0 } }, { { 1000, 0, 0 } }, { { 0, 1000, 0 } });
   AddQuad(renderer, { { -1, 40, 0 } }, { { 2, 0, 0 } }, { { 0, 0, 2 } });
   vtkNew<vtkAreaLight> sun;
-  sun->PositionalOff();
   sun->SetPosition(0.0, 1.0, 1.0);
   sun->SetFocalPoint(0.0, 0.0, 0.0);
   sun->SetAngularDiameter(2.0);
@@ -271,7 +269,6 @@ TEST(CascadedPass, TheOuterHalfOfAPenumbraIsNotLit)
   AddQuad(renderer, { { -4, -4, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } });
   AddQuad(renderer, { { -0.5, -0.5, 1 } }, { { 0.5, 0, 0 } }, { { 0, 1, 0 } });
   vtkNew<vtkAreaLight> lamp;
-  lamp->PositionalOn();
   lamp->SetConeAngle(80.0);
   lamp->SetPosition(0.0, 0.0, 3.0);
   lamp->SetFocalPoint(0.0, 0.0, 0.0);

@@ -31,7 +31,6 @@ vtkSmartPointer<vtkRenderer> MakeArcade()
   AddQuad(renderer, { { -HalfBoard, -20, BoardHeight } }, { { 2.0 * HalfBoard, 0, 0 } },
     { { 0, 28, 0 } });
   vtkNew<vtkAreaLight> sun;
-  sun->PositionalOff();
   sun->SetPosition(0.0, 0.0, 5.0);
   sun->SetFocalPoint(0.0, 0.0, 0.0);
   sun->SetAngularDiameter(2.0 * SunRadius);

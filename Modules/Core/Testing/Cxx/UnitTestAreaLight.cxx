@@ -29,20 +29,31 @@ using Vector = std::array<double, 3>;
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// Counts an object's errors, which are not printed then.
+// Counts an object's errors, or its warnings, which are not printed then. Keeps the last's words.
 class ErrorCounter
 {
 public:
-  explicit ErrorCounter(vtkObject* object)
+  explicit ErrorCounter(vtkObject* object, unsigned long event = vtkCommand::ErrorEvent)
+    : Object(object)
   {
-    this->Command->SetClientData(&this->Count);
+    this->Command->SetClientData(this);
     this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-    object->AddObserver(vtkCommand::ErrorEvent, this->Command);
+      [](vtkObject*, unsigned long, void* self, void* words)
+      {
+        auto* counter = static_cast<ErrorCounter*>(self);
+        ++counter->Count;
+        counter->Words = static_cast<const char*>(words);
+      });
+    object->AddObserver(event, this->Command);
   }
+  ~ErrorCounter() { this->Object->RemoveObserver(this->Command); }
+  ErrorCounter(const ErrorCounter&) = delete;
+  ErrorCounter& operator=(const ErrorCounter&) = delete;
   int Count = 0;
+  std::string Words;
 
 private:
+  vtkObject* Object;
   vtkNew<vtkCallbackCommand> Command;
 };
 
@@ -56,7 +67,6 @@ void FillIn(vtkAreaLight* light)
   light->SetSpecularColor(0.7, 0.8, 0.9);
   light->SetIntensity(0.25);
   light->SetSwitch(0);
-  light->SetPositional(1);
   light->SetExponent(3.0);
   light->SetConeAngle(40.0);
   light->SetAttenuationValues(1.0, 2.0, 3.0);
@@ -65,7 +75,9 @@ void FillIn(vtkAreaLight* light)
   light->SetShapeToDisk();
   light->SetSize(2.0, 3.0);
   light->SetViewUp(0.0, 0.5, 1.0);
+  ErrorCounter warnings(light, vtkCommand::WarningEvent); // of a size that has no effect
   light->SetAngularDiameter(5.0);
+  EXPECT_EQ(warnings.Count, 1);
 }
 
 void ExpectEqual(const double* actual, const double* expected, int count, const char* what)
@@ -154,6 +166,101 @@ TEST(AreaLight, HasTheDocumentedDefaults)
   EXPECT_EQ(light->GetSize()[1], 1.0);
   EXPECT_EQ(vtkMath::Norm(light->GetViewUp()), 0.0);
   EXPECT_EQ(light->GetAngularDiameter(), 0.0);
+  EXPECT_EQ(light->GetPositional(), 1);
+  EXPECT_GE(light->GetConeAngle(), 90.0) << "no cone";
+  EXPECT_EQ(light->GetShadowAttenuation(), 1.0f);
+}
+
+//------------------------------------------------------------------------------
+TEST(AreaLight, AnAngularDiameterMakesASunAndZeroMakesNothing)
+{
+  vtkNew<vtkAreaLight> light;
+  light->SetAngularDiameter(0.0);
+  EXPECT_EQ(light->GetPositional(), 1);
+  light->SetAngularDiameter(0.53);
+  EXPECT_EQ(light->GetPositional(), 0);
+  light->SetAngularDiameter(0.0);
+  EXPECT_EQ(light->GetPositional(), 0);
+  ErrorCounter errors(light);
+  light->SetAngularDiameter(NotANumber);
+  EXPECT_EQ(errors.Count, 1);
+  EXPECT_EQ(light->GetAngularDiameter(), 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(AreaLight, WarnsOfASizeOfADirectionalLightOnce)
+{
+  using Setter = std::function<void(vtkAreaLight*)>;
+  const Setter size = [](vtkAreaLight* light) { light->SetSize(0.4, 0.4); };
+  const Setter directional = [](vtkAreaLight* light) { light->SetPositional(0); };
+  const Setter angle = [](vtkAreaLight* light) { light->SetAngularDiameter(2.0); };
+  for (const auto& setters : { std::pair<Setter, Setter>{ size, directional },
+         std::pair<Setter, Setter>{ directional, size }, std::pair<Setter, Setter>{ size, angle },
+         std::pair<Setter, Setter>{ angle, size } })
+  {
+    vtkNew<vtkAreaLight> light;
+    ErrorCounter warnings(light, vtkCommand::WarningEvent);
+    setters.first(light);
+    EXPECT_EQ(warnings.Count, 0) << "nothing contradicts anything yet: " << warnings.Words;
+    setters.second(light);
+    EXPECT_EQ(warnings.Count, 1);
+    EXPECT_NE(warnings.Words.find("its Size has no effect"), std::string::npos) << warnings.Words;
+    setters.second(light);
+    light->SetSize(0.5, 0.5);
+    EXPECT_EQ(warnings.Count, 1) << "of the same contradiction";
+    light->SetAngularDiameter(0.0);
+    light->SetPositional(1);
+    EXPECT_EQ(warnings.Count, 1) << "all is well";
+    light->SetPositional(0);
+    EXPECT_EQ(warnings.Count, 2) << "another contradiction";
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(AreaLight, WarnsOfAnAngleOfAPositionalLightOnce)
+{
+  vtkNew<vtkAreaLight> light;
+  ErrorCounter warnings(light, vtkCommand::WarningEvent);
+  light->SetPositional(1);
+  light->SetAngularDiameter(2.0);
+  EXPECT_EQ(warnings.Count, 0) << "the angle made it directional: " << warnings.Words;
+  light->SetPositional(1);
+  light->SetPositional(1);
+  EXPECT_EQ(warnings.Count, 1);
+  EXPECT_NE(
+    warnings.Words.find("its AngularDiameter of 2 degrees has no effect"), std::string::npos)
+    << warnings.Words;
+  light->SetPositional(0);
+  EXPECT_EQ(warnings.Count, 1) << "all is well";
+}
+
+//------------------------------------------------------------------------------
+TEST(AreaLight, CopiesContradictionsWithoutAWord)
+{
+  vtkNew<vtkAreaLight> sun;
+  vtkNew<vtkAreaLight> lamp;
+  vtkNew<vtkAreaLight> plain;
+  {
+    ErrorCounter first(sun, vtkCommand::WarningEvent);
+    ErrorCounter second(lamp, vtkCommand::WarningEvent);
+    sun->SetAngularDiameter(2.0);
+    sun->SetSize(3.0, 3.0);
+    lamp->SetAngularDiameter(2.0);
+    lamp->SetPositional(1);
+    EXPECT_EQ(first.Count + second.Count, 2);
+  }
+  for (vtkAreaLight* light : { sun.Get(), lamp.Get(), plain.Get() })
+  {
+    for (vtkAreaLight* former : { sun.Get(), lamp.Get(), plain.Get() })
+    {
+      vtkNew<vtkAreaLight> copy;
+      ErrorCounter warnings(copy, vtkCommand::WarningEvent);
+      copy->DeepCopy(former);
+      copy->DeepCopy(light);
+      EXPECT_EQ(warnings.Count, 0) << warnings.Words;
+      ExpectSameValues(copy, light);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -198,6 +305,7 @@ TEST(AreaLight, ClampsShapeAndAngle)
 TEST(AreaLight, IsModifiedByEveryChangeAndByNothingElse)
 {
   vtkNew<vtkAreaLight> light;
+  const ErrorCounter warnings(light, vtkCommand::WarningEvent); // of a size and an angle
   const double size[2] = { 4.0, 5.0 };
   const std::array<std::pair<const char*, std::function<void()>>, 9> setters = { {
     { "disk", [&] { light->SetShapeToDisk(); } },
@@ -246,9 +354,12 @@ TEST(AreaLight, DeepCopyOfAPlainLightLeavesTheExtent)
   plain->SetConeAngle(25.0);
   vtkNew<vtkAreaLight> copy;
   copy->SetShapeToDisk();
-  copy->SetSize(2.0, 3.0);
   copy->SetAngularDiameter(5.0);
+  ErrorCounter warnings(copy, vtkCommand::WarningEvent);
+  copy->SetSize(2.0, 3.0);
+  EXPECT_EQ(warnings.Count, 1);
   copy->DeepCopy(plain);
+  EXPECT_EQ(warnings.Count, 1) << "copies say nothing";
   EXPECT_EQ(copy->GetPosition()[2], 3.0);
   EXPECT_EQ(copy->GetConeAngle(), 25.0);
   EXPECT_EQ(copy->GetShape(), vtkAreaLight::DISK);

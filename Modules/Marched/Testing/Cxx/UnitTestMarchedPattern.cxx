@@ -61,7 +61,6 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(double lightX, const Point& direction,
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   vtkNew<vtkAreaLight> light;
-  light->PositionalOn();
   light->SetConeAngle(80.0);
   light->SetPosition(lightX, 0.0, 2.0);
   light->SetFocalPoint(lightX, 0.0, 0.0);

@@ -59,7 +59,6 @@ int TestSampledSoftShadowPass(int argc, char* argv[])
   vtkNew<vtkAreaLight> lamp;
   lamp->SetPosition(2.0, -1.5, 4.0);
   lamp->SetFocalPoint(0.0, 0.0, 0.0);
-  lamp->PositionalOn();
   lamp->SetConeAngle(60.0);
   lamp->SetSize(0.8, 0.8);
   renderer->AddLight(lamp);

@@ -138,7 +138,6 @@ vtkSmartPointer<vtkRenderer> MakeLeafScene(const Placement& placement = Placemen
                                      Point{ { -0.2, 0.7, 0.0 } } } },
     placement));
   vtkNew<vtkAreaLight> light;
-  light->SetPositional(true);
   light->SetConeAngle(80.0);
   light->SetPosition(placement.ToWorld({ { 0.3, 0.4, 4.0 } }).data());
   light->SetFocalPoint(placement.ToWorld({ { 0.0, 0.0, 0.0 } }).data());
@@ -317,7 +316,6 @@ TEST(Separable, LightsHaveSizesAndThresholdsOfTheirOwn)
   for (int i = 0; i < 3; ++i)
   {
     lights.push_back(vtkSmartPointer<vtkAreaLight>::New());
-    lights[i]->SetPositional(true);
     lights[i]->SetConeAngle(80.0);
     lights[i]->SetPosition(0.8 * i - 0.8, 0.4, 4.0);
     lights[i]->SetFocalPoint(0.0, 0.0, 0.0);

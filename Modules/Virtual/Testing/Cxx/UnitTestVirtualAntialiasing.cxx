@@ -42,8 +42,6 @@ vtkSmartPointer<vtkRenderer> MakeGridScene()
   renderer->AddActor(MakeQuadActor(bars));
   vtkNew<vtkAreaLight> light;
   light->SetLightTypeToSceneLight();
-  light->PositionalOn();
-  light->SetConeAngle(90.0);
   light->SetShapeToRectangle();
   light->SetPosition(1, 2, 30);
   light->SetFocalPoint(0, 0, 0);

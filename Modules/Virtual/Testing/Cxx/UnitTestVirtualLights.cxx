@@ -34,8 +34,6 @@ vtkSmartPointer<vtkAreaLight> MakeLight(double x, double y, double size)
 {
   auto light = vtkSmartPointer<vtkAreaLight>::New();
   light->SetLightTypeToSceneLight();
-  light->PositionalOn();
-  light->SetConeAngle(90.0);
   light->SetShapeToRectangle();
   light->SetPosition(x, y, 4.0);
   light->SetFocalPoint(0, 0, 0);
