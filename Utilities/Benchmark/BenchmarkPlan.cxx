@@ -5,10 +5,11 @@
 #include "BenchmarkScenes.h"
 #include "SceneReader.h"
 
-#include <algorithm>  // For selections
-#include <filesystem> // For scene files
-#include <set>        // For names
-#include <stdexcept>  // For unknown names
+#include <algorithm>    // For selections
+#include <filesystem>   // For scene files
+#include <set>          // For names
+#include <stdexcept>    // For unknown names
+#include <system_error> // For folders that cannot be read
 
 namespace softshadows
 {
@@ -235,12 +236,22 @@ std::vector<BenchmarkScene> PlanScenes(
   const std::string& folder, const std::vector<std::string>& modelFolders)
 {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  std::error_code unread;
+  const std::filesystem::directory_iterator entries(folder, unread);
+  if (unread)
+  {
+    throw std::runtime_error("the folder of scenes, " + folder + ": " + unread.message());
+  }
+  for (const auto& entry : entries)
   {
     if (entry.path().extension() == ".json")
     {
       files.push_back(entry.path());
     }
+  }
+  if (files.empty())
+  {
+    throw std::runtime_error("the folder of scenes, " + folder + ": there is no scene file in it");
   }
   std::sort(files.begin(), files.end());
   const auto models = std::make_shared<ModelStore>(modelFolders);

@@ -3,6 +3,7 @@
 
 #include "BenchmarkCommand.h"
 
+#include "ProgressLine.h"
 #include "VirtualDisplay.h"
 
 #include "BenchmarkMeshes.h"
@@ -31,12 +32,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
-
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
 
 namespace softshadows
 {
@@ -96,21 +91,6 @@ PlanSize GetPlanSize(const BenchmarkOptions& options, const BenchmarkScene& scen
   const bool isSwept =
     names.empty() || std::find(names.begin(), names.end(), scene.Name) != names.end();
   return isSwept ? PlanSize::All : PlanSize::Main;
-}
-
-//--------------------------------------------------------------------------------------------------
-// On a terminal passing lines overwrite each other; in a file only what is final is kept.
-void ShowLine(const std::string& line, bool isFinal)
-{
-  static const bool isTerminal = isatty(2) != 0;
-  if (isTerminal)
-  {
-    std::cerr << "\r\x1b[K" << line << (isFinal ? "\n" : "") << std::flush;
-  }
-  else if (isFinal)
-  {
-    std::cerr << line << std::endl;
-  }
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "BenchmarkOptions.h"
 
 #include "InstalledFiles.h"
+#include "NumberRange.h"
 
 #include <cmath>
 
@@ -39,7 +40,7 @@ void AddWhat(CLI::App& command, BenchmarkOptions& options)
     "by side: pcss, sssm, cascaded, sbfs, pvssm, or estimators");
   command
     .add_option("--paper-scale", options.PaperScale, "Factor on the size of the papers' images")
-    ->check(CLI::Range(0.05, 4.0));
+    ->check(Number(0.05, 4.0));
   command.add_flag("--list", options.List, "Print the scenes and contestants, and end");
   command.add_flag("--references-only", options.ReferencesOnly,
     "Trace the references that the run would read, and end");
@@ -56,24 +57,24 @@ void AddHow(CLI::App& command, BenchmarkOptions& options)
     "Folder for the ray-traced references; references below --output by default");
   command.add_flag("--no-pictures", options.NoPictures, "Leave pictures out of the page");
   command.add_option("--width", options.Width, "Pixels, in place of the scenes' own")
-    ->check(CLI::Range(16, 8192));
+    ->check(WholeNumber(16, 8192));
   command.add_option("--height", options.Height, "Pixels, in place of the scenes' own")
-    ->check(CLI::Range(16, 8192));
+    ->check(WholeNumber(16, 8192));
   command.add_option("--rounds", options.Rounds, "Timed frames per contestant and motion")
-    ->check(CLI::Range(1, 1000));
+    ->check(WholeNumber(1, 1000));
   command
     .add_option(
       "--seconds", options.Seconds, "Seconds that a contestant may use for timed frames in a scene")
-    ->check(CLI::PositiveNumber);
+    ->check(NumberAboveZero());
   command
     .add_option("--budget", options.Budget,
       "Seconds for the whole run without its references; shared out over the scenes, so that what "
       "comes last in each may be left out")
-    ->check(CLI::PositiveNumber);
+    ->check(NumberAboveZero());
   command
     .add_option("--reference-samples", options.ReferenceSamples,
       "Rays per pixel and light of the reference, rounded up to a square")
-    ->check(CLI::Range(1, 1 << 20));
+    ->check(WholeNumber(1, 1 << 20));
 }
 
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CompareCommand.h"
 
+#include "NumberRange.h"
 #include "OutputFiles.h"
 
 #include "DifferencePicture.h"
@@ -9,10 +10,12 @@
 #include "Silhouettes.h"
 #include "VisibilityFile.h"
 
+#include <algorithm>  // For the fewer lights
 #include <filesystem> // For names of pictures
 #include <fstream>    // For the report
 #include <iostream>   // For the table
 #include <memory>     // For the options' life
+#include <optional>   // For what may be left out
 #include <stdexcept>  // For errors
 
 namespace softshadows
@@ -24,7 +27,7 @@ struct CompareOptions
 {
   std::string Reference;
   std::string Candidate;
-  int Light = -1; // all
+  std::optional<int> Light; // all without it
   std::string Picture;
   double Range = DefaultDifferenceRange;
   std::string Report;
@@ -42,17 +45,20 @@ void CheckSizes(
   const CompareOptions& options, const VisibilityImage& reference, const VisibilityImage& candidate)
 {
   const bool sameLights =
-    options.Light >= 0 || reference.Visibility.size() == candidate.Visibility.size();
+    options.Light || reference.Visibility.size() == candidate.Visibility.size();
+  const std::string sizes = options.Reference + " has " + SizeOf(reference) + ", " +
+    options.Candidate + " has " + SizeOf(candidate);
   if (reference.Width != candidate.Width || reference.Height != candidate.Height || !sameLights)
   {
-    throw std::runtime_error(options.Reference + " has " + SizeOf(reference) + ", " +
-      options.Candidate + " has " + SizeOf(candidate));
+    throw std::runtime_error(sizes);
   }
-  const auto light = static_cast<size_t>(std::max(0, options.Light));
-  if (light >= reference.Visibility.size() || light >= candidate.Visibility.size())
+  const int lights =
+    static_cast<int>(std::min(reference.Visibility.size(), candidate.Visibility.size()));
+  if (options.Light && (*options.Light < 0 || *options.Light >= lights))
   {
-    throw std::runtime_error("--light " + std::to_string(options.Light) + ": " + options.Reference +
-      " has " + SizeOf(reference) + ", " + options.Candidate + " has " + SizeOf(candidate));
+    const std::string light = "--light " + std::to_string(*options.Light);
+    throw std::runtime_error(
+      light + ": must be a whole number from 0 to " + std::to_string(lights - 1) + "; " + sizes);
   }
 }
 
@@ -60,7 +66,7 @@ void CheckSizes(
 // With several lights the light's number stands before the ending: diff.png, diff-1.png, ...
 std::string PicturePath(const CompareOptions& options, size_t light)
 {
-  if (light == 0 || options.Light >= 0)
+  if (light == 0 || options.Light)
   {
     return options.Picture;
   }
@@ -99,8 +105,8 @@ void Compare(const CompareOptions& options)
   nlohmann::ordered_json report = { { "reference", options.Reference },
     { "candidate", options.Candidate }, { "width", reference.Width },
     { "height", reference.Height }, { "lights", nlohmann::ordered_json::array() } };
-  const size_t first = options.Light >= 0 ? options.Light : 0;
-  const size_t last = options.Light >= 0 ? first : reference.Visibility.size() - 1;
+  const size_t first = options.Light.value_or(0);
+  const size_t last = options.Light ? first : reference.Visibility.size() - 1;
   for (size_t light = first; light <= last; ++light)
   {
     const std::vector<float>& truth = reference.Visibility[light];
@@ -137,15 +143,14 @@ void AddCompareCommand(CLI::App& app)
     "Pixels at silhouettes (from the reference's depth) are left out.");
   command->add_option("REFERENCE", options->Reference, "OpenEXR file with the truth")->required();
   command->add_option("CANDIDATE", options->Candidate, "OpenEXR file to judge")->required();
-  command->add_option("--light", options->Light, "Number of the one light to compare, from 0")
-    ->check(CLI::NonNegativeNumber);
+  command->add_option("--light", options->Light, "Number of the one light to compare, from 0");
   command->add_option("--diff", options->Picture,
     "Write the difference as a picture: blue too dark, red too bright, black where one has no "
     "value. With several lights, one picture each: NAME.png, NAME-1.png, ...");
   command
     ->add_option(
       "--diff-range", options->Range, "The error that has the picture's strongest colour")
-    ->check(CLI::PositiveNumber)
+    ->check(NumberAboveZero())
     ->capture_default_str();
   command->add_option("--report", options->Report, "Write the numbers as JSON");
   command->callback([options] { Compare(*options); });

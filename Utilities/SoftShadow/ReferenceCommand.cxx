@@ -3,7 +3,9 @@
 
 #include "ReferenceCommand.h"
 
+#include "NumberRange.h"
 #include "OutputFiles.h"
+#include "ProgressLine.h"
 
 #include "ReferenceTracer.h"
 #include "SceneBuilder.h"
@@ -12,7 +14,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <stdexcept>
 
@@ -41,14 +42,6 @@ int PerAxis(int samples)
 }
 
 //--------------------------------------------------------------------------------------------------
-void ShowProgress(double share)
-{
-  const int percent = static_cast<int>(100.0 * share);
-  std::cerr << "\r[" << std::string(percent / 2, '#') << std::string(50 - percent / 2, '.') << "] "
-            << percent << " %" << (share >= 1.0 ? "\n" : "") << std::flush;
-}
-
-//--------------------------------------------------------------------------------------------------
 void TraceReference(const ReferenceOptions& options)
 {
   if (std::filesystem::path(options.Output).extension() != ".exr")
@@ -66,7 +59,7 @@ void TraceReference(const ReferenceOptions& options)
   ReferenceTracer tracer(width, height, PerAxis(options.Samples));
   tracer.SetGaussian(options.Gaussian);
   tracer.SetPilotSamplesPerAxis(options.Pilot > 0 ? PerAxis(options.Pilot) : 0);
-  tracer.SetProgress(ShowProgress);
+  tracer.SetProgress(ShowBar);
   ReferenceVisibility traced = tracer.Trace(built.Renderer);
   const VisibilityImage image = { width, height, std::move(traced.Visibility),
     std::move(traced.Depth) };
@@ -91,13 +84,13 @@ void AddReferenceCommand(CLI::App& app)
   command
     ->add_option("--samples", options->Samples,
       "Rays per pixel and light, rounded up to a square; the error is about 0.3 / samples^0.75")
-    ->check(CLI::Range(1, mostSamples))
+    ->check(WholeNumber(1, mostSamples))
     ->capture_default_str();
   command
     ->add_option("--pilot", options->Pilot,
       "First so many rays, and all of them only where these disagree: faster, but what is smaller "
       "than their distance on the light may be missed")
-    ->check(CLI::Range(1, mostSamples));
+    ->check(WholeNumber(1, mostSamples));
   command
     ->add_option("--weights", options->Gaussian, "How the light's points count: mean or gaussian")
     ->transform(CLI::CheckedTransformer(
@@ -111,9 +104,9 @@ void AddReferenceCommand(CLI::App& app)
     ->allow_extra_args(false);
   constexpr int longestEdge = 16384;
   command->add_option("--width", options->Width, "Pixels, in place of the scene's")
-    ->check(CLI::Range(1, longestEdge));
+    ->check(WholeNumber(1, longestEdge));
   command->add_option("--height", options->Height, "Pixels, in place of the scene's")
-    ->check(CLI::Range(1, longestEdge));
+    ->check(WholeNumber(1, longestEdge));
   command->callback([options] { TraceReference(*options); });
 }
 

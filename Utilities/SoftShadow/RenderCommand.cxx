@@ -4,6 +4,7 @@
 #include "RenderCommand.h"
 
 #include "FrameReport.h"
+#include "NumberRange.h"
 #include "OutputFiles.h"
 #include "SceneFrame.h"
 #include "SceneInput.h"
@@ -148,10 +149,10 @@ void AddRenderCommand(CLI::App& app)
                               "tile of 32 x 32 pixels is under this; the report has the frames, "
                               "the error and whether it came "
                               "to pass")
-                            ->check(CLI::Range(0.0001, 1.0))
+                            ->check(Number(0.0001, 1.0))
                             ->type_name("TOLERANCE");
   command->add_option("--converge-frames", options->Frames, "Frames at most, with --converge")
-    ->check(CLI::Range(1, 1000000))
+    ->check(WholeNumber(1, 1000000))
     ->needs(converge)
     ->capture_default_str();
   command->callback([options] { Render(*options); });

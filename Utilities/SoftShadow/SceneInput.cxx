@@ -3,6 +3,8 @@
 
 #include "SceneInput.h"
 
+#include "NumberRange.h"
+
 #include "SceneReader.h"
 
 #include <filesystem>
@@ -44,9 +46,9 @@ void SceneInput::AddTo(CLI::App* command)
     ->default_str("y");
   constexpr int longestEdge = 16384;
   command->add_option("--width", this->Width, "Pixels, in place of the scene's")
-    ->check(CLI::Range(1, longestEdge));
+    ->check(WholeNumber(1, longestEdge));
   command->add_option("--height", this->Height, "Pixels, in place of the scene's")
-    ->check(CLI::Range(1, longestEdge));
+    ->check(WholeNumber(1, longestEdge));
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 
 #include <unistd.h>
 
@@ -21,8 +22,13 @@ namespace
 using Name = std::array<char, 4096>;
 std::array<Name, 16> Names{};
 
+// What ends a program unless it says otherwise: people, systems that shut down or keep limits, abort()
+// (which VTK calls where a display fails) and faults.
+constexpr int Signals[] = { SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGPIPE, SIGUSR1, SIGUSR2,
+  SIGXCPU, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS };
+
 //--------------------------------------------------------------------------------------------------
-extern "C" void RemoveAndEnd(int signalNumber)
+extern "C" void RemoveUnfinished()
 {
   for (const Name& name : Names)
   {
@@ -31,6 +37,12 @@ extern "C" void RemoveAndEnd(int signalNumber)
       unlink(name.data());
     }
   }
+}
+
+//--------------------------------------------------------------------------------------------------
+extern "C" void RemoveAndEnd(int signalNumber)
+{
+  RemoveUnfinished();
   raise(signalNumber); // the default action again: SA_RESETHAND
 }
 
@@ -65,10 +77,13 @@ void RememberUnfinished(const std::string& path)
   (*place)[path.size()] = '\0';
   std::atomic_signal_fence(std::memory_order_seq_cst);
   (*place)[0] = path[0];
-  for (const int signalNumber : { SIGINT, SIGTERM, SIGHUP })
+  for (const int signalNumber : Signals)
   {
     InstallHandler(signalNumber);
   }
+  // Libraries call exit() too, as Xlib where the connection breaks: no destructor runs then.
+  static const int installed = std::atexit(RemoveUnfinished);
+  static_cast<void>(installed);
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Files that must not be left behind when a signal ends the process.
+ * Files that must not be left behind when a signal or exit() ends the process.
  */
 
 #ifndef UnfinishedFiles_h
@@ -14,8 +14,9 @@ namespace softshadows
 {
 
 /**
- * From now until ForgetUnfinished the file is removed if SIGINT, SIGTERM or SIGHUP ends the process.
- * At most 16 files at a time, and names shorter than 4096 bytes; others stay, as after SIGKILL.
+ * From now until ForgetUnfinished the file is removed if exit(), abort(), a fault or a signal ends the
+ * process. At most 16 files at a time, and names shorter than 4096 bytes; others stay, as after
+ * SIGKILL.
  */
 void RememberUnfinished(const std::string& path);
 

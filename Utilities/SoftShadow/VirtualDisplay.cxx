@@ -45,14 +45,13 @@ bool DisplayAnswers()
     return false;
   }
 #ifdef SOFTSHADOWS_HAVE_X11
-  Display* display = XOpenDisplay(name);
-  if (!display)
-  {
-    return false;
-  }
-  XCloseDisplay(display);
-#endif
+  // Never closed: a server may start afresh when its last client leaves, as Xvfb does, and whoever
+  // connects in that moment is refused. The system closes it when the program ends.
+  static Display* const connection = XOpenDisplay(name);
+  return connection != nullptr;
+#else
   return true;
+#endif
 }
 
 /// In the child: becomes Xvfb, which writes the number of the display it found free.

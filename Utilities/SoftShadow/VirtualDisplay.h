@@ -11,7 +11,10 @@
 namespace softshadows
 {
 
-/// Whether VTK's windows can open: always where they need no X Window System.
+/**
+ * Whether VTK's windows can open: always where they need no X Window System. DISPLAY is asked once,
+ * over a connection that stays open until the program ends, so that this was not the server's last.
+ */
 bool HasDisplay();
 
 /**

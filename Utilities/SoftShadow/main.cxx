@@ -22,7 +22,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <new>
 
 namespace
 {
@@ -76,6 +78,17 @@ int main(int argc, char** argv)
   try
   {
     return Run(argc, argv);
+  }
+  catch (const std::filesystem::filesystem_error& error)
+  {
+    // Its own words are for programmers.
+    std::cerr << "softshadow: " << error.path1().string() << ": " << error.code().message() << '\n';
+    return EXIT_FAILURE;
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << "softshadow: there is not enough memory\n";
+    return EXIT_FAILURE;
   }
   catch (const std::exception& error)
   {

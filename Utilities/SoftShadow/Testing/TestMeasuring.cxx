@@ -86,7 +86,47 @@ TEST_F(Measuring, CompareTakesOneLight)
   const nlohmann::json report = this->ReadJson("report.json");
   ASSERT_EQ(report.at("lights").size(), 1U);
   EXPECT_EQ(report["lights"][0].at("light"), 1);
-  EXPECT_NE(this->Run("compare truth.exr ours.exr --light 2").ExitCode, 0);
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(Measuring, NumbersOutOfTheirRangeAreRefusedWithTheRange)
+{
+  this->WritePair(0.25F);
+  this->Write("square.json", SquareScene);
+  const struct
+  {
+    const char* Arguments;
+    const char* Message;
+  } cases[] = {
+    { "compare truth.exr ours.exr --light -1",
+      "--light -1: must be a whole number from 0 to 1; truth.exr has 4 x 2 pixels and 2 light(s)" },
+    { "compare truth.exr ours.exr --light 2", "--light 2: must be a whole number from 0 to 1" },
+    { "compare truth.exr ours.exr --light nan", "--light" },
+    { "compare truth.exr ours.exr --diff d.png --diff-range nan", "must be a number above 0" },
+    { "compare truth.exr ours.exr --diff d.png --diff-range -1", "above 0, is '-1'" },
+    { "compare truth.exr ours.exr --diff d.png --diff-range inf", "above 0, is 'inf'" },
+#ifdef SOFTSHADOWS_HAVE_RAY_TRACING
+    { "reference square.json -o a.exr --samples nan", "from 1 to 1048576, is 'nan'" },
+    { "reference square.json -o a.exr --pilot inf", "from 1 to 1048576, is 'inf'" },
+    { "reference square.json -o a.exr --width 0", "from 1 to 16384, is '0'" },
+    { "benchmark --output out --budget nan", "--budget: must be a number above 0, is 'nan'" },
+    { "benchmark --output out --budget -5", "above 0, is '-5'" },
+    { "benchmark --output out --seconds inf", "above 0, is 'inf'" },
+    { "benchmark --output out --paper pcss --paper-scale nan", "from 0.05 to 4, is 'nan'" },
+    { "benchmark --output out --rounds nan", "from 1 to 1000, is 'nan'" },
+    { "benchmark --output out --width 8", "from 16 to 8192, is '8'" },
+    { "benchmark --output out --reference-samples 0", "from 1 to 1048576, is '0'" },
+#endif
+  };
+  const std::set<std::string> before = this->Files();
+  for (const auto& test : cases)
+  {
+    const ToolResult run = this->Run(test.Arguments);
+    EXPECT_EQ(run.ExitCode, 1) << test.Arguments << ": " << run.Output;
+    EXPECT_NE(run.Output.find(test.Message), std::string::npos) << run.Output;
+    EXPECT_LT(run.Output.size(), 250U) << "a line that can be read: " << run.Output;
+    EXPECT_EQ(this->Files(), before) << test.Arguments;
+  }
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -169,6 +209,62 @@ TEST_F(Measuring, BenchmarkReportsGoodAndBrokenScenes)
   const ToolResult unknown = this->Run("benchmark --scenes scenes --output out --only round");
   EXPECT_NE(unknown.ExitCode, 0);
   EXPECT_NE(unknown.Output.find("square"), std::string::npos) << "names what there is";
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(Measuring, BenchmarkNamesAFolderOfNoUse)
+{
+  std::filesystem::create_directories(this->Folder / "empty");
+  std::filesystem::create_directories(this->Folder / "closed");
+  this->Write("file", "no folder");
+  std::filesystem::permissions(this->Folder / "closed", std::filesystem::perms::none);
+  const struct
+  {
+    std::string Arguments;
+    const char* Message;
+  } cases[] = {
+    { "--output out --scenes nowhere", "folder of scenes, nowhere: No such file or directory" },
+    { "--output out --scenes file", "folder of scenes, file: Not a directory" },
+    { "--output out --scenes empty", "folder of scenes, empty: there is no scene file in it" },
+    { "--output out --scenes closed", "closed: " }, // the superuser may read it, and finds nothing
+    { "--output file/out", "file/out: Not a directory" },
+    { "--write-models file", "file: " },
+  };
+  const std::set<std::string> before = this->Files();
+  for (const auto& test : cases)
+  {
+    const ToolResult run = this->Run("benchmark --contestant plain " + test.Arguments);
+    EXPECT_EQ(run.ExitCode, 1) << test.Arguments << ": " << run.Output;
+    EXPECT_NE(run.Output.find(test.Message), std::string::npos) << run.Output;
+    EXPECT_EQ(run.Output.find("filesystem error"), std::string::npos) << run.Output;
+    EXPECT_EQ(this->Files(), before) << test.Arguments;
+  }
+  std::filesystem::permissions(this->Folder / "closed", std::filesystem::perms::owner_all);
+}
+
+//--------------------------------------------------------------------------------------------------
+// A bar on a terminal, and nothing of it in a file or a pipe.
+TEST_F(Measuring, ProgressIsForTerminalsOnly)
+{
+  this->Write("square.json", SquareScene);
+  const std::string reference = "reference square.json -o truth.exr --samples 16";
+  const ToolResult piped = this->Run(reference);
+  EXPECT_EQ(piped.ExitCode, 0);
+  EXPECT_EQ(piped.Output, "");
+  std::filesystem::create_directories(this->Folder / "scenes");
+  this->Write("scenes/square.json", SquareScene);
+  const ToolResult benchmark = this->Run(
+    "benchmark --scenes scenes --output out --rounds 1 --reference-samples 16 --contestant plain");
+  EXPECT_EQ(benchmark.ExitCode, 0) << benchmark.Output;
+  EXPECT_EQ(benchmark.Output.find_first_of("\r\x1b"), std::string::npos) << benchmark.Output;
+#ifdef __linux__
+  this->Write("terminal.sh", "script -qec \"$*\" /dev/null\n"); // which gives it a terminal
+  const ToolResult shown = this->Run(reference, "sh terminal.sh");
+  if (shown.ExitCode != 127)
+  {
+    EXPECT_NE(shown.Output.find("###] 100 %"), std::string::npos) << shown.Output;
+  }
+#endif
 }
 
 //--------------------------------------------------------------------------------------------------

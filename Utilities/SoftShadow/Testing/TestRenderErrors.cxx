@@ -85,6 +85,29 @@ INSTANTIATE_TEST_SUITE_P(Arguments, RenderErrors,
     WrongRun{ "WidthZero", "render scene.json -o a.png --width 0", "--width" }),
   NameOf);
 
+// What is no number, or none that counts to an end.
+INSTANTIATE_TEST_SUITE_P(Numbers, RenderErrors,
+  testing::Values(WrongRun{ "ConvergeNan", "render scene.json -o a.png --converge nan",
+                    "--converge: must be a number from 0.0001 to 1, is 'nan'" },
+    WrongRun{ "ConvergeInfinite", "render scene.json -o a.png --converge inf", "is 'inf'" },
+    WrongRun{ "ConvergeNothing", "render scene.json -o a.png --converge ''", "--converge" },
+    WrongRun{ "ConvergeTooSmall", "render scene.json -o a.png --converge 1e-5",
+      "must be a number from 0.0001 to 1, is '1e-5'" },
+    WrongRun{ "FramesNan", "render scene.json -o a.png --converge 0.1 --converge-frames nan",
+      "must be a whole number from 1 to 1000000, is 'nan'" },
+    WrongRun{ "WidthNan", "render scene.json -o a.png --width nan",
+      "--width: must be a whole number from 1 to 16384, is 'nan'" },
+    WrongRun{ "HeightInfinite", "render scene.json -o a.png --height -inf", "--height" },
+    WrongRun{ "HeightHuge", "render scene.json -o a.png --height 99999999999999999999",
+      "must be a whole number from 1 to 16384" },
+    WrongRun{ "HeightHalf", "render scene.json -o a.png --height 16.5", "a whole number" },
+    WrongRun{ "OptionNan", "render scene.json -o a.png --option map_size=nan", "is 'nan'" },
+    WrongRun{ "OptionInfinite",
+      "render scene.json -o a.png --technique cascaded --option "
+      "lambda=inf",
+      "must be a number from 0 to 1, is 'inf'" }),
+  NameOf);
+
 INSTANTIATE_TEST_SUITE_P(Inputs, RenderErrors,
   testing::Values(WrongRun{ "NoSuchScene", "render no.json -o old.png", "no.json: no such file" },
     WrongRun{ "NoSuchModel", "render no.ply -o old.png", "no such file 'no.ply'" },
