@@ -3,20 +3,22 @@
 
 #include "ModelStore.h"
 
+#include "ObjFile.h"
 #include "PlyFile.h"
+#include "StlFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkFloatArray.h"
 #include "vtkLogger.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkSTLReader.h"
+#include "vtkTriangleStrip.h"
 #include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
@@ -93,52 +95,6 @@ private:
   vtkLogger::Verbosity VerbosityBefore;
 };
 
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> ReadWith(const std::string& path)
-{
-  const MessagesTaken messages;
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  if (!messages.GetFirstError().empty())
-  {
-    throw std::runtime_error("damaged or truncated: " + messages.GetFirstError());
-  }
-  vtkSmartPointer<vtkPolyData> mesh = reader->GetOutput();
-  return mesh;
-}
-
-/// vtkSTLReader takes the triangles it finds, fewer than announced or none.
-void CheckBinaryStl(const std::string& path)
-{
-  constexpr std::uintmax_t headerBytes = 80;
-  constexpr std::uintmax_t triangleBytes = 50;
-  std::ifstream stream(path, std::ios::binary);
-  char header[headerBytes + 4] = {};
-  stream.read(header, sizeof(header));
-  const auto bytesRead = static_cast<std::size_t>(stream.gcount());
-  const bool isText = bytesRead >= 5 && std::string(header, 5) == "solid" &&
-    std::find(header, header + bytesRead, '\0') == header + bytesRead;
-  if (isText)
-  {
-    return;
-  }
-  if (bytesRead < sizeof(header))
-  {
-    throw std::runtime_error("no STL file, or its header is truncated");
-  }
-  std::uintmax_t triangles = 0;
-  for (int byte = 3; byte >= 0; --byte)
-  {
-    triangles = triangles * 256 + static_cast<unsigned char>(header[headerBytes + byte]);
-  }
-  if (fs::file_size(path) < sizeof(header) + triangles * triangleBytes)
-  {
-    throw std::runtime_error("truncated: the header announces " + std::to_string(triangles) +
-      " triangles, more than the file has");
-  }
-}
-
 /// vtkXMLPolyDataReader does not miss what stands behind the data it reads.
 void CheckEndOfVtp(const std::string& path)
 {
@@ -155,6 +111,22 @@ void CheckEndOfVtp(const std::string& path)
   }
 }
 
+ModelFile ReadVtp(const std::string& path)
+{
+  CheckEndOfVtp(path);
+  const MessagesTaken messages;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (!messages.GetFirstError().empty())
+  {
+    throw std::runtime_error("damaged or truncated: " + messages.GetFirstError());
+  }
+  ModelFile file;
+  file.Mesh = reader->GetOutput();
+  return file;
+}
+
 std::string LowerCaseEnding(const std::string& path)
 {
   std::string ending = fs::path(path).extension().string();
@@ -163,7 +135,7 @@ std::string LowerCaseEnding(const std::string& path)
   return ending.empty() ? ending : ending.substr(1);
 }
 
-vtkSmartPointer<vtkPolyData> ReadByKind(const std::string& path, const std::string& kind)
+ModelFile ReadByKind(const std::string& path, const std::string& kind)
 {
   if (kind == "ply")
   {
@@ -171,15 +143,13 @@ vtkSmartPointer<vtkPolyData> ReadByKind(const std::string& path, const std::stri
   }
   if (kind == "obj")
   {
-    return ReadWith<vtkOBJReader>(path);
+    return ReadObj(path);
   }
   if (kind == "stl")
   {
-    CheckBinaryStl(path);
-    return ReadWith<vtkSTLReader>(path);
+    return ReadStl(path);
   }
-  CheckEndOfVtp(path);
-  return ReadWith<vtkXMLPolyDataReader>(path);
+  return ReadVtp(path);
 }
 
 void CheckCorners(vtkCellArray* cells, vtkIdType numberOfPoints)
@@ -227,9 +197,66 @@ vtkSmartPointer<vtkCellArray> FiniteCells(vtkCellArray* cells, const std::vector
   return kept;
 }
 
-/// Points that are no numbers would spoil every bounding box: what hangs on them is left out.
-vtkSmartPointer<vtkPolyData> WithFinitePoints(vtkPolyData* mesh)
+/// Strips as triangles, lines and vertices left out: edges are split among polygons only.
+void KeepPolygons(ModelFile& file)
 {
+  vtkPolyData* mesh = file.Mesh;
+  const vtkIdType before = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  if (before + mesh->GetNumberOfStrips() == 0)
+  {
+    return;
+  }
+  vtkDataArray* given = mesh->GetCellData()->GetNormals();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  vtkIdType cellId = before;
+  const auto keepNormal = [&](vtkIdType times)
+  {
+    for (vtkIdType i = 0; given && i < times; ++i)
+    {
+      normals->InsertNextTuple(given->GetTuple(cellId));
+    }
+    ++cellId;
+  };
+  vtkNew<vtkCellArray> polygons;
+  polygons->DeepCopy(mesh->GetPolys());
+  for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+  {
+    keepNormal(1);
+  }
+  const auto strip = vtk::TakeSmartPointer(mesh->GetStrips()->NewIterator());
+  for (strip->GoToFirstCell(); !strip->IsDoneWithTraversal(); strip->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    strip->GetCurrentCell(count, corners);
+    vtkTriangleStrip::DecomposeStrip(static_cast<int>(count), corners, polygons);
+    keepNormal(count - 2);
+  }
+  if (mesh->GetNumberOfVerts() > 0)
+  {
+    file.NotShown[PointCells] += mesh->GetNumberOfVerts();
+  }
+  if (mesh->GetNumberOfLines() > 0)
+  {
+    file.NotShown[LineCells] += mesh->GetNumberOfLines();
+  }
+  auto kept = vtkSmartPointer<vtkPolyData>::New();
+  kept->SetPoints(mesh->GetPoints());
+  kept->GetPointData()->ShallowCopy(mesh->GetPointData());
+  kept->SetPolys(polygons);
+  if (given)
+  {
+    kept->GetCellData()->SetNormals(normals);
+  }
+  file.Mesh = kept;
+}
+
+/// Points that are no numbers would spoil every bounding box: what hangs on them is left out.
+void KeepFinitePolygons(ModelFile& file)
+{
+  vtkPolyData* mesh = file.Mesh;
   std::vector<bool> isFinite(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   vtkIdType finite = -1;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -241,7 +268,7 @@ vtkSmartPointer<vtkPolyData> WithFinitePoints(vtkPolyData* mesh)
   }
   if (std::find(isFinite.begin(), isFinite.end(), false) == isFinite.end())
   {
-    return mesh;
+    return;
   }
   auto kept = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -256,12 +283,15 @@ vtkSmartPointer<vtkPolyData> WithFinitePoints(vtkPolyData* mesh)
   kept->SetPoints(points);
   kept->GetPointData()->ShallowCopy(mesh->GetPointData());
   kept->SetPolys(FiniteCells(mesh->GetPolys(), isFinite));
-  kept->SetStrips(FiniteCells(mesh->GetStrips(), isFinite));
   if (kept->GetNumberOfCells() == 0)
   {
     throw std::runtime_error("is empty: no polygon has finite corners");
   }
-  return kept;
+  if (kept->GetNumberOfPolys() < mesh->GetNumberOfPolys())
+  {
+    file.NotShown[FacesNotFinite] += mesh->GetNumberOfPolys() - kept->GetNumberOfPolys();
+  }
+  file.Mesh = kept;
 }
 
 vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* mesh)
@@ -338,9 +368,15 @@ vtkSmartPointer<vtkPolyData> ModelStore::Load(
   }
   try
   {
-    const vtkSmartPointer<vtkPolyData> read = ReadByKind(path, kind);
-    CheckMesh(read);
-    mesh = WithNormals(WithFinitePoints(read));
+    ModelFile file = ReadByKind(path, kind);
+    CheckMesh(file.Mesh);
+    KeepPolygons(file);
+    KeepFinitePolygons(file);
+    if (!file.NotShown.empty())
+    {
+      this->NotShown.push_back("'" + path + "' has what is not shown: " + file.DescribeNotShown());
+    }
+    mesh = WithNormals(file.Mesh);
   }
   catch (const std::bad_alloc&)
   {

@@ -35,11 +35,15 @@ public:
 
   /**
    * The mesh that a scene in the given folder means: an absolute path as it is, a relative one in
-   * that folder, then in the store's folders in their order. Read once, shared ever after. Polygons with
-   * corners that are not finite are left out. Meshes without normals get smooth ones with edges sharper than 60 degrees kept. Throws SceneError with
-   * the model's place: not found, of no known kind, damaged, or without a polygon.
+   * that folder, then in the store's folders in their order. Read once, shared ever after. Lines, points
+   * and polygons with corners that are not finite are left out. Meshes without normals get smooth ones
+   * that keep edges sharper than 60 degrees. Throws SceneError with the model's place: not found, of no
+   * known kind, damaged, or without a polygon.
    */
   vtkSmartPointer<vtkPolyData> Load(const ModelShape& model, const std::string& sceneFolder);
+
+  /// One line for each file read so far of which something is not shown: what, and how much of it.
+  const std::vector<std::string>& GetNotShown() const { return this->NotShown; }
 
   /// The endings of the files that can be read, without the dot.
   static const std::vector<std::string>& GetKinds();
@@ -47,6 +51,7 @@ public:
 private:
   std::vector<std::string> Folders;
   std::map<std::string, vtkSmartPointer<vtkPolyData>> Meshes;
+  std::vector<std::string> NotShown;
 
   std::string Find(const ModelShape& model, const std::string& sceneFolder) const;
 };

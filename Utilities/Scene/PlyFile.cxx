@@ -6,6 +6,7 @@
 #include "PlyHeader.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -185,10 +186,35 @@ void ReadVertices(PlyBody& body, const PlyHeader::Element& element, vtkPolyData*
   }
 }
 
-void ReadFaces(PlyBody& body, const PlyHeader::Element& element, vtkPolyData* mesh)
+/// Faces may stand before the vertices: their corners are looked at in the end.
+struct PlyCells
 {
-  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
-  vtkNew<vtkCellArray> faces;
+  vtkNew<vtkCellArray> Faces;
+  vtkNew<vtkCellArray> Strips;
+  std::vector<std::int64_t> FaceNumbers; ///< In the file.
+};
+
+/// Strips are one list, with -1 between them.
+void AddStrips(const std::vector<vtkIdType>& corners, ModelFile& file, vtkCellArray* strips)
+{
+  for (auto first = corners.begin(); first != corners.end();)
+  {
+    const auto last = std::find(first, corners.end(), -1);
+    if (last - first >= 3)
+    {
+      strips->InsertNextCell(static_cast<vtkIdType>(last - first), &*first);
+    }
+    else if (last != first)
+    {
+      file.NotShown["strips of fewer than three corners"] += 1;
+    }
+    first = last == corners.end() ? last : last + 1;
+  }
+}
+
+void ReadFaces(
+  PlyBody& body, const PlyHeader::Element& element, bool isStrips, PlyCells& cells, ModelFile& file)
+{
   std::vector<vtkIdType> corners;
   for (std::int64_t n = 0; n < element.Count; ++n)
   {
@@ -204,31 +230,58 @@ void ReadFaces(PlyBody& body, const PlyHeader::Element& element, vtkPolyData* me
       for (std::int64_t i = body.NextCount(property.CountType); i > 0; --i)
       {
         const double corner = body.Next(property.ValueType);
-        if (!(corner >= 0.0 && corner < static_cast<double>(numberOfPoints)))
+        if (!(std::abs(corner) <= std::numeric_limits<std::uint32_t>::max()))
         {
           throw std::runtime_error(
             "damaged: face " + std::to_string(n) + " has a corner that does not exist");
         }
         corners.push_back(static_cast<vtkIdType>(corner));
       }
-      if (corners.size() >= 3)
+      if (isStrips)
       {
-        faces->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+        AddStrips(corners, file, cells.Strips);
+      }
+      else if (corners.size() >= 3)
+      {
+        cells.Faces->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+        cells.FaceNumbers.push_back(n);
+      }
+      else
+      {
+        file.NotShown["faces of fewer than three corners"] += 1;
       }
     }
   }
-  mesh->SetPolys(faces);
+}
+
+void CheckFaces(const PlyCells& cells, vtkIdType numberOfPoints)
+{
+  const auto cell = vtk::TakeSmartPointer(cells.Faces->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    cell->GetCurrentCell(count, corners);
+    if (std::any_of(corners, corners + count,
+          [numberOfPoints](vtkIdType corner) { return corner < 0 || corner >= numberOfPoints; }))
+    {
+      const auto place = static_cast<std::size_t>(cell->GetCurrentCellId());
+      throw std::runtime_error("damaged: face " + std::to_string(cells.FaceNumbers[place]) +
+        " has a corner that does not exist");
+    }
+  }
 }
 
 }
 
 //--------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadPly(const std::string& path)
+ModelFile ReadPly(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
   const PlyHeader header = ReadPlyHeader(stream);
   PlyBody body(stream, header.BodyEncoding);
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  ModelFile file;
+  PlyCells cells;
   for (const PlyHeader::Element& element : header.Elements)
   {
     if (element.Properties.empty())
@@ -237,11 +290,11 @@ vtkSmartPointer<vtkPolyData> ReadPly(const std::string& path)
     }
     if (element.Name == "vertex")
     {
-      ReadVertices(body, element, mesh);
+      ReadVertices(body, element, file.Mesh);
     }
-    else if (element.Name == "face")
+    else if (element.Name == "face" || element.Name == "tristrips")
     {
-      ReadFaces(body, element, mesh);
+      ReadFaces(body, element, element.Name == "tristrips", cells, file);
     }
     else
     {
@@ -252,9 +305,16 @@ vtkSmartPointer<vtkPolyData> ReadPly(const std::string& path)
           SkipProperty(body, property);
         }
       }
+      if (element.Count > 0)
+      {
+        file.NotShown["of the element '" + element.Name.substr(0, 40) + "'"] += element.Count;
+      }
     }
   }
-  return mesh;
+  CheckFaces(cells, file.Mesh->GetNumberOfPoints());
+  file.Mesh->SetPolys(cells.Faces);
+  file.Mesh->SetStrips(cells.Strips);
+  return file;
 }
 
 }

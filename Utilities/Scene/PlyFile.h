@@ -11,8 +11,7 @@
 #ifndef PlyFile_h
 #define PlyFile_h
 
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "ModelFile.h"
 
 #include <string>
 
@@ -21,10 +20,10 @@ namespace softshadows
 
 /**
  * Points (double where the file says so), point normals if there are any, and faces of three corners
- * and more; all else in the file is passed over. Throws std::runtime_error with a message that does
+ * and more, wherever they stand in the file, and triangle strips. Throws std::runtime_error with a message that does
  * not name the file: no PLY, truncated, a face whose corner does not exist.
  */
-vtkSmartPointer<vtkPolyData> ReadPly(const std::string& path);
+ModelFile ReadPly(const std::string& path);
 
 }
 

@@ -9,6 +9,7 @@
 
 #include "ReferenceTracer.h"
 #include "SceneBuilder.h"
+#include "SceneInput.h"
 #include "SceneReader.h"
 #include "VisibilityFile.h"
 
@@ -54,6 +55,7 @@ void TraceReference(const ReferenceOptions& options)
   ModelStore models(options.ModelFolders);
   const SceneDescription scene = ReadScene(options.Scene);
   const BuiltScene built = BuildScene(scene, models);
+  SayWhatIsNotShown(models);
   const int width = options.Width > 0 ? options.Width : scene.Width;
   const int height = options.Height > 0 ? options.Height : scene.Height;
   ReferenceTracer tracer(width, height, PerAxis(options.Samples));

@@ -89,6 +89,7 @@ void Render(const RenderOptions& options)
   ModelStore models(options.Scene.ModelFolders);
   const SceneDescription scene = options.Scene.Read(models);
   const BuiltScene built = BuildScene(scene, models);
+  SayWhatIsNotShown(models);
 
   const VirtualDisplay display; // outlives the frame, whose window it shows
   SceneFrame frame(built, pass, scene.Width, scene.Height);

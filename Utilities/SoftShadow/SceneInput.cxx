@@ -8,6 +8,7 @@
 #include "SceneReader.h"
 
 #include <filesystem>
+#include <iostream>
 #include <stdexcept>
 #include <utility>
 
@@ -73,6 +74,15 @@ SceneDescription SceneInput::Read(ModelStore& models) const
   scene.Width = this->Width > 0 ? this->Width : scene.Width;
   scene.Height = this->Height > 0 ? this->Height : scene.Height;
   return scene;
+}
+
+//--------------------------------------------------------------------------------------------------
+void SayWhatIsNotShown(const ModelStore& models)
+{
+  for (const std::string& line : models.GetNotShown())
+  {
+    std::cerr << "softshadow: " << line << '\n';
+  }
 }
 
 //--------------------------------------------------------------------------------------------------

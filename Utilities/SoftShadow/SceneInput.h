@@ -51,6 +51,9 @@ struct TechniqueInput
   OptionTexts GetOptions() const;
 };
 
+/// One line to the terminal for each model of which something is not shown.
+void SayWhatIsNotShown(const ModelStore& models);
+
 }
 
 #endif

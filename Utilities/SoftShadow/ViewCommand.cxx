@@ -52,6 +52,7 @@ void View(const ViewOptions& options)
   ViewerWindow window(state, models, paths,
     options.Scene.Width > 0 ? options.Scene.Width : defaultWidth,
     options.Scene.Height > 0 ? options.Scene.Height : defaultHeight);
+  SayWhatIsNotShown(models);
   window.Run();
 }
 
