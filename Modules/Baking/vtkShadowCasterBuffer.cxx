@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCasterBuffer.h"
 
+#include "vtkShadowFailures.h"
 #include "vtkSoftShadowsOpenGL.h"
 
 #include <algorithm>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -12,6 +14,21 @@ namespace
 {
 // Spans closer than this are uploaded in one call: a call costs more than the copy.
 constexpr std::size_t JOIN_DISTANCE = 4096;
+
+bool MakeStore(unsigned int target, GLsizeiptr bytes)
+{
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  glBufferData(target, bytes, nullptr, GL_DYNAMIC_DRAW);
+  if (glGetError() == GL_NO_ERROR)
+  {
+    return true;
+  }
+  vtkShadowFailures::Report(
+    "no memory for the casters' points (" + std::to_string(bytes >> 20) + " MiB)");
+  return false;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -105,12 +122,12 @@ void vtkShadowCasterBuffer::Mark(std::vector<Span>& dirty, std::size_t begin, st
 
 //------------------------------------------------------------------------------
 template <typename Value>
-void vtkShadowCasterBuffer::UploadArray(unsigned int target, unsigned int handle,
+bool vtkShadowCasterBuffer::UploadArray(unsigned int target, unsigned int handle,
   const std::vector<Value>& values, std::size_t& capacity, std::vector<Span>& dirty)
 {
   if (dirty.empty())
   {
-    return;
+    return true;
   }
   glBindBuffer(target, handle);
   std::size_t changed = 0;
@@ -126,8 +143,11 @@ void vtkShadowCasterBuffer::UploadArray(unsigned int target, unsigned int handle
   if (grows || 2 * changed > values.size())
   {
     // A new store, so that the driver need not wait for draws from the old one.
-    glBufferData(
-      target, static_cast<GLsizeiptr>(capacity * sizeof(Value)), nullptr, GL_DYNAMIC_DRAW);
+    if (!MakeStore(target, static_cast<GLsizeiptr>(capacity * sizeof(Value))))
+    {
+      capacity = 0;
+      return false;
+    }
     dirty.assign(1, { 0, values.size() });
   }
   for (const Span& span : dirty)
@@ -136,16 +156,17 @@ void vtkShadowCasterBuffer::UploadArray(unsigned int target, unsigned int handle
       static_cast<GLsizeiptr>((span.End - span.Begin) * sizeof(Value)), values.data() + span.Begin);
   }
   dirty.clear();
+  return true;
 }
 
 //------------------------------------------------------------------------------
 // Expects the vertex array object to be bound: the index buffer's binding is part of it.
-void vtkShadowCasterBuffer::Upload()
+bool vtkShadowCasterBuffer::Upload()
 {
-  UploadArray(GL_ARRAY_BUFFER, this->VertexBuffer, this->Vertices, this->VertexBufferSize,
-    this->DirtyVertices);
-  UploadArray(GL_ELEMENT_ARRAY_BUFFER, this->IndexBuffer, this->Indices, this->IndexBufferSize,
-    this->DirtyIndices);
+  return UploadArray(GL_ARRAY_BUFFER, this->VertexBuffer, this->Vertices, this->VertexBufferSize,
+           this->DirtyVertices) &&
+    UploadArray(GL_ELEMENT_ARRAY_BUFFER, this->IndexBuffer, this->Indices, this->IndexBufferSize,
+      this->DirtyIndices);
 }
 
 //------------------------------------------------------------------------------
@@ -193,7 +214,12 @@ int vtkShadowCasterBuffer::Draw(unsigned int location)
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->IndexBuffer);
   }
   glBindVertexArray(this->VertexArray);
-  this->Upload();
+  if (!this->Upload())
+  {
+    glBindVertexArray(static_cast<GLuint>(boundArray));
+    glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(boundBuffer));
+    return 0;
+  }
   glBindBuffer(GL_ARRAY_BUFFER, this->VertexBuffer);
   glEnableVertexAttribArray(location);
   glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, 0, nullptr);

@@ -73,10 +73,10 @@ private:
     std::size_t End;
   };
 
-  void Upload();
+  bool Upload();
   static void Mark(std::vector<Span>& dirty, std::size_t begin, std::size_t end);
   template <typename Value>
-  static void UploadArray(unsigned int target, unsigned int handle,
+  static bool UploadArray(unsigned int target, unsigned int handle,
     const std::vector<Value>& values, std::size_t& capacity, std::vector<Span>& dirty);
 
   std::vector<float> Vertices;        // 3 per vertex

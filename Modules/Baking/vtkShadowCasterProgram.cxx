@@ -10,6 +10,7 @@
 #include "vtkShadowCasterVS.h"
 #include "vtkShadowConservativeFS.h"
 #include "vtkShadowConservativeGS.h"
+#include "vtkShadowFailures.h"
 #include "vtkShadowMapView.h"
 #include "vtkSoftShadowsOpenGL.h"
 
@@ -115,6 +116,7 @@ bool vtkShadowCasterProgram::Use(vtkOpenGLRenderWindow* window, const vtkShadowM
   }
   if (!program)
   {
+    vtkShadowFailures::Report("a shader does not compile");
     return false;
   }
 #ifdef GL_ZERO_TO_ONE

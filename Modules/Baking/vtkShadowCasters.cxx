@@ -15,6 +15,7 @@
 #include "vtkShadowCamera.h"
 #include "vtkShadowCasterList.h"
 #include "vtkShadowCasterProgram.h"
+#include "vtkShadowContextWatch.h"
 #include "vtkShadowDrawTest.h"
 #include "vtkShadowMapperCasters.h"
 #include "vtkTimeStamp.h"
@@ -80,10 +81,17 @@ bool GetKey(vtkProp* prop, vtkInformationIntegerKey* key)
 class vtkShadowCasters::Internals
 {
 public:
+  ~Internals() { this->Watch.Free(); } // while all members are there
+
   vtkShadowCasterList List;
   vtkShadowCasterProgram Program;
   vtkNew<vtkShadowCamera> Camera;
   vtkNew<vtkMatrix4x4> Matrix;
+  vtkShadowContextWatch Watch{ [this](vtkOpenGLRenderWindow*)
+    {
+      this->List.Buffer.ReleaseGraphicsResources();
+      this->Program.ReleaseGraphicsResources();
+    } };
 
   int DrawSide(int side);
   int DrawBuffer(vtkOpenGLState* state, bool conservative);
@@ -263,6 +271,7 @@ int vtkShadowCasters::Draw(
 {
   Internals& impl = *this->Impl;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  impl.Watch.Enter(window);
   const vtkShadowDrawTest test(view);
   for (vtkShadowCasterEntry& entry : impl.List.Entries)
   {
@@ -281,8 +290,7 @@ int vtkShadowCasters::Draw(
 //------------------------------------------------------------------------------
 void vtkShadowCasters::ReleaseGraphicsResources(vtkWindow*)
 {
-  this->Impl->List.Buffer.ReleaseGraphicsResources();
-  this->Impl->Program.ReleaseGraphicsResources();
+  this->Impl->Watch.Free();
 }
 
 //------------------------------------------------------------------------------

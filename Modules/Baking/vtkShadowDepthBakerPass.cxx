@@ -12,7 +12,9 @@
 #include "vtkShadowCasters.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowEmitter.h"
+#include "vtkShadowFailures.h"
 #include "vtkShadowLightSampling.h"
+#include "vtkShadowLimits.h"
 #include "vtkShadowMapFitter.h"
 
 #include <algorithm>
@@ -54,6 +56,8 @@ class vtkShadowDepthBakerPass::Internals
 public:
   std::vector<BakedLight> Lights;
   std::vector<BakedLight> Previous;
+  std::string ToldWanted; // with a warning, as of the last frame
+  std::string ToldLost;
 
   BakedLight TakeFromPrevious(vtkLight* light)
   {
@@ -110,6 +114,13 @@ void vtkShadowDepthBakerPass::Render(const vtkRenderState* s)
   this->Casters->Update(renderer);
   const vtkShadowMapFitter fitter(this->Casters->GetBodies());
 
+  const int mapSize = std::min(this->MapSize, vtkShadowLimits::GetTextureSize());
+  std::ostringstream wanted; // more than OpenGL allows
+  std::string lost;          // why a light has no maps
+  if (mapSize < this->MapSize)
+  {
+    wanted << "maps of " << this->MapSize << " texels along an edge, ";
+  }
   impl.Previous.swap(impl.Lights);
   impl.Lights.clear();
   vtkLightCollection* lights = renderer->GetLights();
@@ -131,18 +142,49 @@ void vtkShadowDepthBakerPass::Render(const vtkRenderState* s)
       {
         baked.Maps = vtkSmartPointer<vtkShadowDepthMaps>::New();
       }
-      const int count = baked.Maps->Bake(renderer, this->Casters,
-        FitViews(fitter, emitter, this->NumberOfSamples), this->MapSize, this->Conservative);
+      std::vector<vtkShadowMapView> views = FitViews(fitter, emitter, this->NumberOfSamples);
+      const auto mostLayers = static_cast<std::size_t>(vtkShadowLimits::GetTextureLayers());
+      if (views.size() > mostLayers)
+      {
+        wanted << views.size() << " maps of a light, ";
+        views.resize(mostLayers);
+      }
+      const vtkShadowFailures failures;
+      const int count =
+        baked.Maps->Bake(renderer, this->Casters, views, mapSize, this->Conservative);
       this->NumberOfBakes += std::max(count, 0);
       baked.Casts = count >= 0;
-      baked.Report = count < 0 ? "no memory for its depth maps"
+      if (count < 0)
+      {
+        lost = failures.GetFirst();
+      }
+      baked.Report = count < 0 ? failures.GetFirst()
                                : std::to_string(baked.Maps->GetViews().size()) + " depth maps of " +
-          std::to_string(this->MapSize) + " x " + std::to_string(this->MapSize) + " texels";
+          std::to_string(mapSize) + " x " + std::to_string(mapSize) + " texels";
     }
     impl.Lights.push_back(baked);
   }
   // Lights that went out or away.
   Internals::Release(impl.Previous, renderer->GetRenderWindow());
+  this->Warn(wanted.str(), lost);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowDepthBakerPass::Warn(const std::string& wanted, const std::string& lost)
+{
+  Internals& impl = *this->Impl;
+  if (!wanted.empty() && wanted != impl.ToldWanted)
+  {
+    vtkWarningMacro("Wanted are " << wanted << "but this OpenGL allows "
+                                  << vtkShadowLimits::GetTextureSize() << " texels and "
+                                  << vtkShadowLimits::GetTextureLayers() << " layers.");
+  }
+  if (!lost.empty() && impl.ToldLost.empty())
+  {
+    vtkWarningMacro("A light has no depth maps: " << lost << ".");
+  }
+  impl.ToldWanted = wanted;
+  impl.ToldLost = lost;
 }
 
 //------------------------------------------------------------------------------

@@ -47,7 +47,8 @@ public:
   void Render(const vtkRenderState* s) override;
 
   ///@{
-  /// Texels along an edge of each map, in [1, 16384]. Default is 1024.
+  /// Texels along an edge of each map, in [1, 16384]. Default is 1024. More than the driver allows
+  /// count as what it allows, with a warning.
   vtkSetClampMacro(MapSize, int, 1, 16384);
   vtkGetMacro(MapSize, int);
   ///@}
@@ -56,7 +57,8 @@ public:
   /**
    * Sample points per light, each with a map of its own; a light without extent has one. The first n
    * points are a grid where n allows one, else Hammersley's (see vtkShadowLightSampling). Default is
-   * 1, the light's centre.
+   * 1, the light's centre. Of more maps than a texture has layers only the first are drawn, with a
+   * warning.
    */
   vtkSetClampMacro(NumberOfSamples, int, 1, 1024);
   vtkGetMacro(NumberOfSamples, int);
@@ -95,6 +97,7 @@ public:
   vtkGetMacro(NumberOfBakes, int);
   ///@}
 
+  /// Frees the maps in the window that they lie in, and what the casters hold.
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -113,6 +116,8 @@ private:
 
   class Internals;
   std::unique_ptr<Internals> Impl;
+
+  void Warn(const std::string& wanted, const std::string& lost);
 };
 
 VTK_ABI_NAMESPACE_END

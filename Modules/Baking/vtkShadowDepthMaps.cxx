@@ -10,6 +10,8 @@
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkShadowCasters.h"
+#include "vtkShadowFailures.h"
+#include "vtkShadowScopedState.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 #include "vtkTimeStamp.h"
@@ -26,31 +28,35 @@ namespace
 class ScopedTarget
 {
 public:
-  ScopedTarget(vtkOpenGLState* state, unsigned int framebuffer, int resolution)
-    : State(state)
-    , Viewport(state)
-    , Scissor(state, GL_SCISSOR_TEST)
-    , Stencil(state, GL_STENCIL_TEST)
-    , DepthMask(state)
+  ScopedTarget(vtkOpenGLRenderWindow* window, vtkShadowFramebuffer& framebuffer, int resolution)
+    : ScopedTarget(window->GetState())
   {
-    state->PushFramebufferBindings();
-    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    state->vtkglDrawBuffer(GL_NONE);
-    state->vtkglReadBuffer(GL_NONE);
-    state->vtkglViewport(0, 0, resolution, resolution);
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    state->vtkglDisable(GL_STENCIL_TEST);
-    state->vtkglDepthMask(GL_TRUE); // or nothing is cleared
+    framebuffer.Bind(window);
+    vtkShadowFramebuffer::SetDrawBuffers(window, 0);
+    this->State->vtkglReadBuffer(GL_NONE);
+    this->State->vtkglViewport(0, 0, resolution, resolution);
+    this->State->vtkglDisable(GL_SCISSOR_TEST);
+    this->State->vtkglDepthMask(GL_TRUE); // or nothing is cleared
   }
   ~ScopedTarget() { this->State->PopFramebufferBindings(); }
   ScopedTarget(const ScopedTarget&) = delete;
   void operator=(const ScopedTarget&) = delete;
 
 private:
+  explicit ScopedTarget(vtkOpenGLState* state)
+    : State(state)
+    , Viewport(state)
+    , Scissor(state, GL_SCISSOR_TEST)
+    , Raster(state)
+    , DepthMask(state)
+  {
+    state->PushFramebufferBindings();
+  }
+
   vtkOpenGLState* State;
   vtkOpenGLState::ScopedglViewport Viewport;
   vtkOpenGLState::ScopedglEnableDisable Scissor;
-  vtkOpenGLState::ScopedglEnableDisable Stencil;
+  vtkShadowScopedRaster Raster;
   vtkOpenGLState::ScopedglDepthMask DepthMask;
 };
 }
@@ -59,13 +65,7 @@ private:
 vtkShadowDepthMaps::vtkShadowDepthMaps() = default;
 
 //------------------------------------------------------------------------------
-vtkShadowDepthMaps::~vtkShadowDepthMaps()
-{
-  if (this->Framebuffer != 0)
-  {
-    vtkErrorMacro("ReleaseGraphicsResources was not called before the destruction.");
-  }
-}
+vtkShadowDepthMaps::~vtkShadowDepthMaps() = default;
 
 //------------------------------------------------------------------------------
 int vtkShadowDepthMaps::Bake(vtkRenderer* renderer, vtkShadowCasters* casters,
@@ -115,23 +115,29 @@ int vtkShadowDepthMaps::BakeLayers(
   if (first < views.size())
   {
     auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-    if (this->Framebuffer == 0)
-    {
-      glGenFramebuffers(1, &this->Framebuffer);
-    }
-    const ScopedTarget target(window->GetState(), this->Framebuffer, this->Resolution);
+    const ScopedTarget target(window, this->Framebuffer, this->Resolution);
     const float empty = 0.0f;
     for (std::size_t layer = first; layer < views.size(); ++layer)
     {
       if (!isHeld(layer))
       {
         this->Texture->AttachLayer(static_cast<int>(layer));
+        if (baked == 0 && !vtkShadowFramebuffer::IsComplete())
+        {
+          this->Views.clear();
+          return -1;
+        }
         glClearBufferfv(GL_DEPTH, 0, &empty);
         this->NumberOfDrawCalls +=
           casters->Draw(renderer, views[layer], this->Resolution, this->Conservative);
         ++baked;
       }
     }
+  }
+  if (vtkShadowFailures::IsFailing())
+  {
+    this->Views.clear(); // they lack casters
+    return -1;
   }
   if (baked > 0 || views.size() != this->Views.size())
   {
@@ -176,11 +182,7 @@ vtkSmartPointer<vtkImageData> vtkShadowDepthMaps::ReadDepth(int layer)
 //------------------------------------------------------------------------------
 void vtkShadowDepthMaps::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Framebuffer != 0)
-  {
-    glDeleteFramebuffers(1, &this->Framebuffer);
-    this->Framebuffer = 0;
-  }
+  this->Framebuffer.Release();
   this->Texture->ReleaseGraphicsResources(window);
   this->Views.clear();
   this->Resolution = 0;

@@ -14,6 +14,7 @@
 #include "vtkNew.h" // For members
 #include "vtkObject.h"
 #include "vtkRenderingSoftShadowsBakingModule.h" // For export macro
+#include "vtkShadowFramebuffer.h"                // For members
 #include "vtkShadowMapView.h"                    // For views
 #include "vtkSmartPointer.h"                     // For the image
 #include "vtkSoftShadowsABI.h"                   // For the ABI namespace
@@ -37,8 +38,8 @@ public:
   /**
    * Makes the layers show the views: bakes those whose view differs from what the layer holds, or all
    * if the casters, the resolution or the flag changed. Returns the number of layers baked, 0 if all
-   * was up to date, -1 (with an error) if the texture cannot be had. The texture only grows in layers
-   * while the resolution stays. Restores framebuffer, viewport and all other OpenGL state.
+   * was up to date, -1 if the texture cannot be had, which vtkShadowFailures is told. The texture only
+   * grows in layers while the resolution stays. Restores framebuffer, viewport and all other OpenGL state.
    */
   int Bake(vtkRenderer* renderer, vtkShadowCasters* casters,
     const std::vector<vtkShadowMapView>& views, int resolution, bool conservative = false);
@@ -80,7 +81,7 @@ protected:
   vtkMTimeType BakeTime = 0;
   vtkTypeInt64 NumberOfBakes = 0;
   vtkTypeInt64 NumberOfDrawCalls = 0;
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
 
 private:
   vtkShadowDepthMaps(const vtkShadowDepthMaps&) = delete;

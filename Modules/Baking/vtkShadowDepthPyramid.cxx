@@ -7,8 +7,11 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowDepthMaps.h"
+#include "vtkShadowFailures.h"
+#include "vtkShadowFramebuffer.h"
 #include "vtkShadowPyramidBaseFS.h"
 #include "vtkShadowPyramidFS.h"
+#include "vtkShadowScopedState.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
@@ -25,15 +28,14 @@ public:
     : State(state)
     , Viewport(state)
     , Scissor(state, GL_SCISSOR_TEST)
-    , Stencil(state, GL_STENCIL_TEST)
+    , Raster(state)
     , DepthTest(state, GL_DEPTH_TEST)
     , CullFace(state, GL_CULL_FACE)
     , Blend(state, GL_BLEND)
     , ColorMask(state)
   {
     state->PushFramebufferBindings();
-    for (const unsigned int name :
-      { GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND })
+    for (const unsigned int name : { GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND })
     {
       state->vtkglDisable(name);
     }
@@ -47,7 +49,7 @@ private:
   vtkOpenGLState* State;
   vtkOpenGLState::ScopedglViewport Viewport;
   vtkOpenGLState::ScopedglEnableDisable Scissor;
-  vtkOpenGLState::ScopedglEnableDisable Stencil;
+  vtkShadowScopedRaster Raster;
   vtkOpenGLState::ScopedglEnableDisable DepthTest;
   vtkOpenGLState::ScopedglEnableDisable CullFace;
   vtkOpenGLState::ScopedglEnableDisable Blend;
@@ -61,7 +63,7 @@ class vtkShadowDepthPyramid::Internals
 public:
   vtkShadowShader Base{ vtkShadowPyramidBaseFS };
   vtkShadowShader Coarser{ vtkShadowPyramidFS };
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
 
   // Draws one level of all layers from a texture that is bound to a unit.
   void DrawLevel(vtkShadowShader& shader, vtkOpenGLState* state, const char* sampler, int unit,
@@ -86,13 +88,7 @@ vtkShadowDepthPyramid::vtkShadowDepthPyramid()
 }
 
 //------------------------------------------------------------------------------
-vtkShadowDepthPyramid::~vtkShadowDepthPyramid()
-{
-  if (this->Impl->Framebuffer != 0)
-  {
-    vtkErrorMacro("ReleaseGraphicsResources was not called before the destruction.");
-  }
-}
+vtkShadowDepthPyramid::~vtkShadowDepthPyramid() = default;
 
 //------------------------------------------------------------------------------
 bool vtkShadowDepthPyramid::Update(vtkOpenGLRenderWindow* window, vtkShadowDepthMaps* maps)
@@ -118,14 +114,10 @@ bool vtkShadowDepthPyramid::Update(vtkOpenGLRenderWindow* window, vtkShadowDepth
   Internals& impl = *this->Impl;
   vtkOpenGLState* state = window->GetState();
   const ScopedState scoped(state);
-  if (impl.Framebuffer == 0)
-  {
-    glGenFramebuffers(1, &impl.Framebuffer);
-  }
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, impl.Framebuffer);
-  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
-
-  if (!impl.Base.Use(window))
+  impl.Framebuffer.Bind(window);
+  this->Texture->AttachLayer(0);
+  vtkShadowFramebuffer::SetDrawBuffers(window, 1);
+  if (!vtkShadowFramebuffer::IsComplete() || !impl.Base.Use(window))
   {
     return false;
   }
@@ -144,6 +136,10 @@ bool vtkShadowDepthPyramid::Update(vtkOpenGLRenderWindow* window, vtkShadowDepth
     }
     this->Texture->SetLevelRange(0, levels - 1);
   }
+  if (vtkShadowFailures::IsFailing())
+  {
+    return false;
+  }
   this->BuildTime = maps->GetBakeTime();
   return true;
 }
@@ -151,11 +147,7 @@ bool vtkShadowDepthPyramid::Update(vtkOpenGLRenderWindow* window, vtkShadowDepth
 //------------------------------------------------------------------------------
 void vtkShadowDepthPyramid::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Impl->Framebuffer != 0)
-  {
-    glDeleteFramebuffers(1, &this->Impl->Framebuffer);
-    this->Impl->Framebuffer = 0;
-  }
+  this->Impl->Framebuffer.Release();
   this->Impl->Base.ReleaseGraphicsResources(window);
   this->Impl->Coarser.ReleaseGraphicsResources(window);
   this->Texture->ReleaseGraphicsResources(window);

@@ -98,25 +98,20 @@ bool vtkCascadedSoftShadowPass::Refinement::Prepare(const vtkSoftShadowContext& 
 {
   const int width = context.Receivers->GetWidth();
   const int height = context.Receivers->GetHeight();
-  if (!this->Framebuffer)
-  {
-    glGenFramebuffers(1, &this->Framebuffer);
-  }
   return this->Added->Allocate(context.Window, vtkShadowTextureArray::RG32F, width, height, 1) &&
     this->States[0]->Allocate(context.Window, vtkShadowTextureArray::RG32F, width, height, 1) &&
     this->States[1]->Allocate(context.Window, vtkShadowTextureArray::RG32F, width, height, 1);
 }
 
 //------------------------------------------------------------------------------
-void vtkCascadedSoftShadowPass::Refinement::Attach(
+bool vtkCascadedSoftShadowPass::Refinement::Attach(
   const vtkSoftShadowContext& context, vtkShadowTextureArray* texture)
 {
-  vtkOpenGLState* state = context.Window->GetState();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  glFramebufferRenderbuffer(
-    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, context.Marks);
+  this->Framebuffer.Bind(context.Window);
+  vtkShadowFramebuffer::AttachDepthBuffer(context.Marks);
   texture->AttachLayer(0);
-  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  vtkShadowFramebuffer::SetDrawBuffers(context.Window, 1);
+  return vtkShadowFramebuffer::IsComplete();
 }
 
 //------------------------------------------------------------------------------
@@ -141,9 +136,8 @@ void vtkCascadedSoftShadowPass::Refinement::Draw(vtkCascadedSoftShadowPass* self
               self, context, maps, sets[level], level, cascade, count ? plan.Queries[level] : 0) &&
       this->Settle(context, level, keep, self->GetTolerance());
   }
-  if (drawn && count)
+  if (drawn && count && this->CountLeft(self, context, levels, cascade, plan.Queries[levels]))
   {
-    this->CountLeft(self, context, levels, cascade, plan.Queries[levels]);
     plan.Pending = levels + 1;
   }
   state->PopFramebufferBindings();
@@ -166,7 +160,10 @@ bool vtkCascadedSoftShadowPass::Refinement::AddLevel(vtkCascadedSoftShadowPass* 
   const vtkSoftShadowContext& context, vtkCascadedSoftShadowMaps& maps, size_t set, int level,
   const vtkShadowCascades::Cascade& cascade, unsigned int query)
 {
-  this->Attach(context, this->Added);
+  if (!this->Attach(context, this->Added))
+  {
+    return false;
+  }
   vtkOpenGLState* state = context.Window->GetState();
   {
     vtkOpenGLState::ScopedglClearColor clearColor(state);
@@ -223,11 +220,10 @@ bool vtkCascadedSoftShadowPass::Refinement::AddLevel(vtkCascadedSoftShadowPass* 
 bool vtkCascadedSoftShadowPass::Refinement::Settle(
   const vtkSoftShadowContext& context, int level, double keep, double tolerance)
 {
-  if (!this->SettleShader.Use(context.Window))
+  if (!this->SettleShader.Use(context.Window) || !this->Attach(context, this->States[level % 2]))
   {
     return false;
   }
-  this->Attach(context, this->States[level % 2]);
   vtkOpenGLState* state = context.Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   state->vtkglDisable(GL_BLEND);
@@ -251,15 +247,14 @@ bool vtkCascadedSoftShadowPass::Refinement::Settle(
 //------------------------------------------------------------------------------
 // Draws nothing but counts what has not settled: the refinement's shader with no points. Nothing
 // reads what is added any more.
-void vtkCascadedSoftShadowPass::Refinement::CountLeft(vtkCascadedSoftShadowPass* self,
+bool vtkCascadedSoftShadowPass::Refinement::CountLeft(vtkCascadedSoftShadowPass* self,
   const vtkSoftShadowContext& context, int levels, const vtkShadowCascades::Cascade& cascade,
   unsigned int query)
 {
-  if (!this->RefineShader.Use(context.Window))
+  if (!this->RefineShader.Use(context.Window) || !this->Attach(context, this->Added))
   {
-    return;
+    return false;
   }
-  this->Attach(context, this->Added);
   vtkShaderProgram* program = this->RefineShader.GetProgram();
   Internals::SetFade(program, cascade);
   program->SetUniformi("level", levels);
@@ -275,6 +270,7 @@ void vtkCascadedSoftShadowPass::Refinement::CountLeft(vtkCascadedSoftShadowPass*
   glEndQuery(GL_SAMPLES_PASSED);
   last->Deactivate();
   context.Receivers->Deactivate();
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -299,10 +295,6 @@ void vtkCascadedSoftShadowPass::Refinement::ReleaseGraphicsResources(vtkWindow* 
   this->RefineShader.ReleaseGraphicsResources(window);
   this->SettleShader.ReleaseGraphicsResources(window);
   this->EmitShader.ReleaseGraphicsResources(window);
-  if (this->Framebuffer)
-  {
-    glDeleteFramebuffers(1, &this->Framebuffer);
-    this->Framebuffer = 0;
-  }
+  this->Framebuffer.Release();
 }
 VTK_ABI_NAMESPACE_END

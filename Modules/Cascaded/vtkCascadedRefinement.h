@@ -20,6 +20,7 @@
 #include "vtkNew.h" // For members
 #include "vtkShadowBorderGrid.h"
 #include "vtkShadowCascades.h"
+#include "vtkShadowFramebuffer.h"
 #include "vtkShadowQueryReader.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
@@ -79,17 +80,17 @@ public:
 
 private:
   bool Prepare(const vtkSoftShadowContext& context);
-  void Attach(const vtkSoftShadowContext& context, vtkShadowTextureArray* texture);
+  bool Attach(const vtkSoftShadowContext& context, vtkShadowTextureArray* texture);
   bool AddLevel(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
     vtkCascadedSoftShadowMaps& maps, size_t set, int level,
     const vtkShadowCascades::Cascade& cascade, unsigned int query);
   bool Settle(const vtkSoftShadowContext& context, int level, double keep, double tolerance);
-  void CountLeft(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, int levels,
+  bool CountLeft(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, int levels,
     const vtkShadowCascades::Cascade& cascade, unsigned int query);
 
   vtkNew<vtkShadowTextureArray> Added;
   vtkNew<vtkShadowTextureArray> States[2]; // by turns: a level reads the one before
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
   vtkShadowShader RefineShader;
   vtkShadowShader SettleShader;
   vtkShadowShader EmitShader;

@@ -6,6 +6,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowReceivers.h"
+#include "vtkShadowScopedState.h"
 #include "vtkSoftShadowsOpenGL.h"
 
 #include "vtkCascadedTintFS.h"
@@ -34,6 +35,8 @@ void vtkCascadedTint::Draw(vtkOpenGLRenderWindow* window, vtkShadowReceivers* re
     return;
   }
   vtkOpenGLState* state = window->GetState();
+  const vtkShadowScopedRaster raster(state);
+  const vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglDepthMask depthMask(state);

@@ -6,6 +6,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowFailures.h"
 #include "vtkSoftShadowsOpenGL.h"
 
 #include "vtkShadowBlocker.h"
@@ -81,6 +82,16 @@ void Include(std::ostream& out, const std::string& text, std::set<std::string>& 
 //------------------------------------------------------------------------------
 vtkShadowShader::vtkShadowShader(const char* text)
   : Text(text)
+  , Watch(
+      [this](vtkOpenGLRenderWindow*)
+      {
+        if (this->VertexArray)
+        {
+          this->VertexArray->ReleaseGraphicsResources();
+          this->VertexArray = nullptr;
+        }
+        this->Program = nullptr;
+      })
 {
 }
 
@@ -131,6 +142,7 @@ void vtkShadowShader::SetDefinitions(const Definitions& definitions)
 //------------------------------------------------------------------------------
 bool vtkShadowShader::Use(vtkOpenGLRenderWindow* window)
 {
+  this->Watch.Enter(window);
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   if (this->Program)
   {
@@ -143,12 +155,20 @@ bool vtkShadowShader::Use(vtkOpenGLRenderWindow* window)
   {
     this->VertexArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
   }
+  if (!this->Program)
+  {
+    vtkShadowFailures::Report("a shader does not compile");
+  }
   return this->Program != nullptr;
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowShader::Draw()
 {
+  if (vtkShadowFailures::IsFailing())
+  {
+    return;
+  }
   this->VertexArray->Bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
   this->VertexArray->Release();
@@ -157,11 +177,6 @@ void vtkShadowShader::Draw()
 //------------------------------------------------------------------------------
 void vtkShadowShader::ReleaseGraphicsResources(vtkWindow*)
 {
-  if (this->VertexArray)
-  {
-    this->VertexArray->ReleaseGraphicsResources();
-    this->VertexArray = nullptr;
-  }
-  this->Program = nullptr;
+  this->Watch.Free();
 }
 VTK_ABI_NAMESPACE_END

@@ -23,6 +23,7 @@
 #define vtkShadowShader_h
 
 #include "vtkRenderingSoftShadowsCoreModule.h" // For export macro
+#include "vtkShadowContextWatch.h"             // For members
 #include "vtkSmartPointer.h"                   // For members
 #include "vtkSoftShadowsABI.h"                 // For the ABI namespace
 
@@ -58,7 +59,8 @@ public:
   /// Replaces the definitions; the program is rebuilt at the next Use if they differ.
   void SetDefinitions(const Definitions& definitions);
 
-  /// Makes the program current, building it if need be. False if it does not compile.
+  /// Makes the program current, building it if need be. False, which vtkShadowFailures is told, if it
+  /// does not compile.
   bool Use(vtkOpenGLRenderWindow* window);
 
   vtkShaderProgram* GetProgram() const { return this->Program; }
@@ -66,7 +68,8 @@ public:
   /// Number of times the program was built.
   int GetNumberOfBuilds() const { return this->NumberOfBuilds; }
 
-  /// Draws over the viewport at depth 0.5. The program must be in use.
+  /// Draws over the viewport at depth 0.5. The program must be in use. Nothing is drawn once
+  /// something could not be had (vtkShadowFailures::IsFailing).
   void Draw();
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -77,6 +80,7 @@ private:
   vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
   vtkSmartPointer<vtkOpenGLVertexArrayObject> VertexArray;
   int NumberOfBuilds = 0;
+  vtkShadowContextWatch Watch;
 };
 
 /// Marks in the receivers' position texture (w) and values of the stage uniform.

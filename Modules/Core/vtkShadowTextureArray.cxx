@@ -5,10 +5,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkShadowFailures.h"
+#include "vtkShadowLimits.h"
+#include "vtkShadowScopedState.h"
 #include "vtkSoftShadowsOpenGL.h"
-#include "vtkTextureUnitManager.h"
 
 #include <algorithm>
+#include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkShadowTextureArray);
@@ -54,45 +57,60 @@ void SetParameters(int levels)
 } // namespace
 
 //------------------------------------------------------------------------------
+vtkShadowTextureArray::vtkShadowTextureArray()
+  : Watch([this](vtkOpenGLRenderWindow*) { this->DeleteTexture(); })
+{
+}
+
+//------------------------------------------------------------------------------
 vtkShadowTextureArray::~vtkShadowTextureArray()
 {
-  if (this->Handle)
+  this->Watch.Free(); // while all members are there
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowTextureArray::IsAllowed(int width, int height, int layers, int levels) const
+{
+  const int largest = vtkShadowLimits::GetTextureSize();
+  const int mostLayers = vtkShadowLimits::GetTextureLayers();
+  if (width > 0 && height > 0 && layers > 0 && levels > 0 && width <= largest &&
+    height <= largest && layers <= mostLayers)
   {
-    this->ReleaseGraphicsResources(this->Window);
+    return true;
   }
+  std::ostringstream reason;
+  reason << "a texture of " << width << " x " << height << " texels and " << layers
+         << " layers cannot be made; this OpenGL allows " << largest << " texels along an edge and "
+         << mostLayers << " layers";
+  vtkShadowFailures::Report(reason.str());
+  return false;
 }
 
 //------------------------------------------------------------------------------
 bool vtkShadowTextureArray::Allocate(
   vtkOpenGLRenderWindow* window, int format, int width, int height, int layers, int levels)
 {
-  if (this->Handle && this->Window == window && this->Format == format && this->Width == width &&
-    this->Height == height && this->Layers == layers && this->Levels == levels)
+  if (this->Handle && this->Watch.GetWindow() == window && this->Format == format &&
+    this->Width == width && this->Height == height && this->Layers == layers &&
+    this->Levels == levels)
   {
     return true;
   }
-  this->ReleaseGraphicsResources(this->Window);
-
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  const int mostLayers = vtkShadowTextureArray::GetMaximumLayers(window);
-  if (width < 1 || height < 1 || layers < 1 || levels < 1 || width > largest || height > largest ||
-    layers > mostLayers)
+  this->Watch.Free();
+  if (!this->IsAllowed(width, height, layers, levels))
   {
-    vtkErrorMacro("A texture of " << width << " x " << height << " texels and " << layers
-                                  << " layers cannot be made; this OpenGL allows " << largest
-                                  << " texels along an edge and " << mostLayers << " layers.");
     return false;
   }
 
-  this->Window = window;
+  this->Watch.Enter(window);
   this->Format = format;
   this->Width = width;
   this->Height = height;
   this->Layers = layers;
   this->Levels = levels;
+  const vtkShadowScopedPixelStore pixelStore; // or the data are a buffer's
   glGenTextures(1, &this->Handle);
-  this->Activate();
+  this->Activate(window);
   SetParameters(levels);
   const FormatInfo info = GetFormatInfo(format);
   while (glGetError() != GL_NO_ERROR)
@@ -103,17 +121,21 @@ bool vtkShadowTextureArray::Allocate(
     glTexImage3D(GL_TEXTURE_2D_ARRAY, level, info.Internal, std::max(width >> level, 1),
       std::max(height >> level, 1), layers, 0, info.External, GL_FLOAT, nullptr);
   }
-  const bool outOfMemory = glGetError() == GL_OUT_OF_MEMORY;
-  this->Deactivate();
-  if (outOfMemory)
+  bool failed = false;
+  while (glGetError() != GL_NO_ERROR)
   {
-    vtkErrorMacro("No memory for a texture of " << width << " x " << height << " texels and "
-                                                << layers << " layers ("
-                                                << this->GetBytes() / (1 << 20) << " MiB).");
-    this->ReleaseGraphicsResources(window);
-    return false;
+    failed = true; // one of the levels
   }
-  return true;
+  this->Deactivate();
+  if (failed)
+  {
+    std::ostringstream reason;
+    reason << "no memory for a texture of " << width << " x " << height << " texels and " << layers
+           << " layers (" << this->GetBytes() / (1 << 20) << " MiB)";
+    vtkShadowFailures::Report(reason.str());
+    this->Watch.Free();
+  }
+  return !failed;
 }
 
 //------------------------------------------------------------------------------
@@ -135,37 +157,25 @@ vtkTypeInt64 vtkShadowTextureArray::GetBytes() const
 //------------------------------------------------------------------------------
 int vtkShadowTextureArray::GetMaximumLayers(vtkOpenGLRenderWindow*)
 {
-  GLint layers = 0;
-  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
-  return layers;
+  return vtkShadowLimits::GetTextureLayers();
 }
 
 //------------------------------------------------------------------------------
 int vtkShadowTextureArray::Activate(vtkOpenGLRenderWindow* window)
 {
-  if (!this->Handle)
+  if (!this->Handle && !window)
   {
-    this->Window = window;
+    vtkShadowFailures::Report("a texture is missing"); // whoever could not have it draws nothing
+    return 0;
   }
-  vtkOpenGLState* state = this->Window->GetState();
-  this->Unit = state->GetTextureUnitManager()->Allocate();
-  state->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, this->Handle);
-  return this->Unit;
+  return this->Unit.Bind(
+    this->Handle ? this->Watch.GetWindow() : window, GL_TEXTURE_2D_ARRAY, this->Handle);
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowTextureArray::Deactivate()
 {
-  if (this->Unit < 0)
-  {
-    return;
-  }
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  state->GetTextureUnitManager()->Free(this->Unit);
-  this->Unit = -1;
+  this->Unit.Release();
 }
 
 //------------------------------------------------------------------------------
@@ -179,7 +189,7 @@ void vtkShadowTextureArray::AttachLayer(int layer, int level, int colorAttachmen
 //------------------------------------------------------------------------------
 void vtkShadowTextureArray::SetLevelRange(int base, int maximum)
 {
-  this->Activate();
+  this->Activate(this->Watch.GetWindow());
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, base);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, maximum);
   this->Deactivate();
@@ -192,7 +202,8 @@ std::vector<float> vtkShadowTextureArray::ReadLayer(int layer, int level)
   const int width = std::max(this->Width >> level, 1);
   const int height = std::max(this->Height >> level, 1);
   std::vector<float> values(static_cast<size_t>(width) * height * info.Components);
-  vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState* state = this->Watch.GetWindow()->GetState();
+  const vtkShadowScopedPixelStore pixelStore;
   state->PushReadFramebufferBinding();
   GLuint framebuffer = 0;
   glGenFramebuffers(1, &framebuffer);
@@ -201,7 +212,6 @@ std::vector<float> vtkShadowTextureArray::ReadLayer(int layer, int level)
   glFramebufferTextureLayer(GL_READ_FRAMEBUFFER,
     isDepth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0, this->Handle, level, layer);
   state->vtkglReadBuffer(isDepth ? GL_NONE : GL_COLOR_ATTACHMENT0);
-  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, width, height, info.External, GL_FLOAT, values.data());
   state->PopReadFramebufferBinding();
   glDeleteFramebuffers(1, &framebuffer);
@@ -209,16 +219,18 @@ std::vector<float> vtkShadowTextureArray::ReadLayer(int layer, int level)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowTextureArray::DeleteTexture()
+{
+  this->Deactivate();
+  glDeleteTextures(1, &this->Handle);
+  this->Handle = 0;
+  this->Width = this->Height = this->Layers = this->Levels = 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowTextureArray::ReleaseGraphicsResources(vtkWindow*)
 {
-  if (this->Handle)
-  {
-    this->Deactivate();
-    glDeleteTextures(1, &this->Handle);
-    this->Handle = 0;
-  }
-  this->Window = nullptr;
-  this->Width = this->Height = this->Layers = this->Levels = 0;
+  this->Watch.Free();
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,8 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingSoftShadowsCoreModule.h" // For export macro
+#include "vtkShadowContextWatch.h"             // For members
+#include "vtkShadowTextureUnit.h"              // For members
 #include "vtkSoftShadowsABI.h"                 // For the ABI namespace
 
 #include <vector> // For read-backs
@@ -40,8 +42,8 @@ public:
 
   /**
    * Makes the texture hold layers of width x height texels with mip levels (1: none). Does nothing
-   * and returns true if it already does. False, with an error that names the sizes, if the driver
-   * has no such texture.
+   * and returns true if it already does. False if the driver has no such texture: tells
+   * vtkShadowFailures the sizes.
    */
   bool Allocate(
     vtkOpenGLRenderWindow* window, int format, int width, int height, int layers, int levels = 1);
@@ -63,7 +65,8 @@ public:
 
   /**
    * Binds the texture to a texture unit of its own and returns the unit, for a sampler2DArray.
-   * Every Activate needs its Deactivate.
+   * Every Activate needs its Deactivate. Where no unit is left it tells vtkShadowFailures, binds
+   * nothing and returns a unit that a sampler may be set to, but not read.
    *
    * A texture that was never allocated takes an empty unit of the window: a program draws nothing at
    * all while samplers of two kinds share a unit, be they read or not.
@@ -86,15 +89,16 @@ public:
   /// Copies a layer to the CPU: width * height * components floats of that level, bottom row first.
   std::vector<float> ReadLayer(int layer, int level = 0);
 
+  /// Frees it in the window that it lies in. That window and the destructor do so by themselves.
   void ReleaseGraphicsResources(vtkWindow* window);
 
 protected:
-  vtkShadowTextureArray() = default;
+  vtkShadowTextureArray();
   ~vtkShadowTextureArray() override;
 
-  vtkOpenGLRenderWindow* Window = nullptr; // not owned; null after a release
+  vtkShadowContextWatch Watch;
   unsigned int Handle = 0;
-  int Unit = -1;
+  vtkShadowTextureUnit Unit;
   int Format = R32F;
   int Width = 0;
   int Height = 0;
@@ -104,6 +108,9 @@ protected:
 private:
   vtkShadowTextureArray(const vtkShadowTextureArray&) = delete;
   void operator=(const vtkShadowTextureArray&) = delete;
+
+  bool IsAllowed(int width, int height, int layers, int levels) const;
+  void DeleteTexture();
 };
 
 VTK_ABI_NAMESPACE_END

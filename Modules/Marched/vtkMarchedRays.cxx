@@ -3,7 +3,9 @@
 #include "vtkMarchedRays.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkShadowFailures.h"
 #include "vtkShadowLightSampling.h"
+#include "vtkShadowScopedState.h"
 #include "vtkSoftShadowsOpenGL.h"
 #include "vtkTextureObject.h"
 
@@ -94,8 +96,10 @@ int vtkMarchedRays::Activate(vtkOpenGLRenderWindow* window, const vtkShadowEmitt
       ray[3] = StepJitter(i * runs + run);
     }
   }
-  if (!this->Texture || this->Texture->GetContext() != window || rays != this->Rays)
+  if (!this->Texture || this->Texture->GetContext() != window || this->Texture->GetHandle() == 0 ||
+    rays != this->Rays)
   {
+    const vtkShadowScopedPixelStore pixelStore;
     this->Rays = rays;
     this->Texture = vtkSmartPointer<vtkTextureObject>::New();
     this->Texture->SetContext(window);
@@ -107,15 +111,18 @@ int vtkMarchedRays::Activate(vtkOpenGLRenderWindow* window, const vtkShadowEmitt
     this->Texture->SetFormat(GL_RGBA);
     this->Texture->SetDataType(GL_FLOAT);
     this->Texture->Create2DFromRaw(this->Count, runs, 4, VTK_FLOAT, rays.data());
+    if (glGetError() == GL_OUT_OF_MEMORY)
+    {
+      vtkShadowFailures::Report("no memory for the directions of rays");
+    }
   }
-  this->Texture->Activate();
-  return this->Texture->GetTextureUnit();
+  return this->Unit.Bind(window, GL_TEXTURE_2D, this->Texture->GetHandle());
 }
 
 //------------------------------------------------------------------------------
 void vtkMarchedRays::Deactivate()
 {
-  this->Texture->Deactivate();
+  this->Unit.Release();
 }
 
 //------------------------------------------------------------------------------

@@ -13,10 +13,11 @@
 #ifndef vtkMarchedRays_h
 #define vtkMarchedRays_h
 
-#include "vtkShadowEmitter.h"  // For the emitter
-#include "vtkSmartPointer.h"   // For members
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
-#include "vtkType.h"           // For bytes
+#include "vtkShadowEmitter.h"     // For the emitter
+#include "vtkShadowTextureUnit.h" // For members
+#include "vtkSmartPointer.h"      // For members
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
+#include "vtkType.h"              // For bytes
 
 #include <vector> // For rays
 
@@ -56,6 +57,7 @@ public:
 
 private:
   vtkSmartPointer<vtkTextureObject> Texture;
+  vtkShadowTextureUnit Unit;
   std::vector<float> Rays; // what the texture holds
   int Count = 0;
   int FirstCount = 0;

@@ -10,6 +10,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowDepthPyramid.h"
+#include "vtkShadowFramebuffer.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
@@ -40,7 +41,7 @@ public:
   vtkShadowShader FilterShader;
   vtkMarchedRays Rays;
   vtkNew<vtkShadowTextureArray> Unfiltered; // RG32F: see the filter
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
 };
 
 //------------------------------------------------------------------------------
@@ -84,11 +85,16 @@ void vtkMarchedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context
     state->PushFramebufferBindings();
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglDisable(GL_BLEND);
-    if (this->BeginUnfiltered(context))
+    const bool begun = this->BeginUnfiltered(context);
+    if (begun)
     {
       this->DrawRays(context, pattern, 1.0);
     }
     state->PopFramebufferBindings();
+    if (!begun)
+    {
+      return;
+    }
   }
   this->BeginStep("pattern filter");
   this->DrawFilter(context, pattern);
@@ -105,17 +111,15 @@ bool vtkMarchedSoftShadowPass::BeginUnfiltered(const vtkSoftShadowContext& conte
   {
     return false;
   }
-  if (!this->Impl->Framebuffer)
-  {
-    glGenFramebuffers(1, &this->Impl->Framebuffer);
-  }
-  vtkOpenGLState* state = context.Window->GetState();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Impl->Framebuffer);
-  glFramebufferRenderbuffer(
-    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, context.Marks);
+  this->Impl->Framebuffer.Bind(context.Window);
+  vtkShadowFramebuffer::AttachDepthBuffer(context.Marks);
   texture->AttachLayer(0);
-  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
-  state->vtkglViewport(0, 0, width, height);
+  vtkShadowFramebuffer::SetDrawBuffers(context.Window, 1);
+  if (!vtkShadowFramebuffer::IsComplete())
+  {
+    return false;
+  }
+  context.Window->GetState()->vtkglViewport(0, 0, width, height);
   const float none[4] = { -1.0f, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, none);
   return true;
@@ -131,12 +135,13 @@ void vtkMarchedSoftShadowPass::DrawRays(
     return;
   }
   vtkShaderProgram* program = shader.GetProgram();
-  this->SetReceiverUniforms(program, context);
-  this->SetMapUniforms(
-    program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
+  // First: VTK takes a texture unit of its own to make their texture.
   vtkMarchedRays& rays = this->Impl->Rays;
   program->SetUniformi(
     "rays", rays.Activate(context.Window, context.Emitter, this->Rays, pattern, this->Weights));
+  this->SetReceiverUniforms(program, context);
+  this->SetMapUniforms(
+    program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
   program->SetUniformi("rayCount", rays.GetCount());
   program->SetUniformi("firstRays", rays.GetFirstCount());
   program->SetUniformi("pattern", pattern);
@@ -196,11 +201,7 @@ void vtkMarchedSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   impl.FilterShader.ReleaseGraphicsResources(window);
   impl.Rays.ReleaseGraphicsResources(window);
   impl.Unfiltered->ReleaseGraphicsResources(window);
-  if (impl.Framebuffer)
-  {
-    glDeleteFramebuffers(1, &impl.Framebuffer);
-    impl.Framebuffer = 0;
-  }
+  impl.Framebuffer.Release();
 }
 
 //------------------------------------------------------------------------------

@@ -10,14 +10,10 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-void vtkSeparableTarget::Attach(
+bool vtkSeparableTarget::Attach(
   vtkOpenGLRenderWindow* window, const std::vector<Output>& outputs, unsigned int marks)
 {
-  if (!this->Framebuffer)
-  {
-    glGenFramebuffers(1, &this->Framebuffer);
-  }
-  window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  this->Framebuffer.Bind(window);
   std::vector<unsigned int> buffers;
   for (size_t i = 0; i < outputs.size(); ++i)
   {
@@ -28,11 +24,12 @@ void vtkSeparableTarget::Attach(
     }
     buffers.push_back(outputs[i].Texture ? attachment : GL_NONE);
   }
-  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, marks);
+  vtkShadowFramebuffer::AttachDepthBuffer(marks);
   const auto count = static_cast<unsigned int>(buffers.size());
   window->GetState()->vtkglDrawBuffers(count, buffers.data());
   // VTK's cache keeps all but the first from the framebuffer before, and may have left out the call.
   glDrawBuffers(static_cast<GLsizei>(count), buffers.data());
+  return vtkShadowFramebuffer::IsComplete();
 }
 
 //------------------------------------------------------------------------------
@@ -44,7 +41,7 @@ void vtkSeparableTarget::Detach(size_t outputs)
     glFramebufferTextureLayer(
       GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(i), 0, 0, 0);
   }
-  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
+  vtkShadowFramebuffer::AttachDepthBuffer(0);
 }
 
 //------------------------------------------------------------------------------
@@ -56,7 +53,12 @@ void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& sh
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
   state->PushFramebufferBindings();
-  this->Attach(window, outputs, marks);
+  if (!this->Attach(window, outputs, marks))
+  {
+    vtkSeparableTarget::Detach(outputs.size());
+    state->PopFramebufferBindings();
+    return;
+  }
   state->vtkglDisable(GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   for (size_t i = 0; i < outputs.size(); ++i)
@@ -88,10 +90,6 @@ void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& sh
 //------------------------------------------------------------------------------
 void vtkSeparableTarget::ReleaseGraphicsResources(vtkWindow*)
 {
-  if (this->Framebuffer)
-  {
-    glDeleteFramebuffers(1, &this->Framebuffer);
-    this->Framebuffer = 0;
-  }
+  this->Framebuffer.Release();
 }
 VTK_ABI_NAMESPACE_END

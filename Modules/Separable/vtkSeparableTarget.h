@@ -8,7 +8,8 @@
 #ifndef vtkSeparableTarget_h
 #define vtkSeparableTarget_h
 
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkShadowFramebuffer.h" // For members
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
 
 #include <functional> // For a function
 #include <vector>     // For lists
@@ -49,11 +50,11 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Attach(
+  bool Attach(
     vtkOpenGLRenderWindow* window, const std::vector<Output>& outputs, unsigned int marks);
   static void Detach(size_t outputs);
 
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowFailures.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 #include "vtkVirtualScreen.h"
@@ -40,17 +41,20 @@ bool vtkVirtualBlocks::FindBounds(vtkOpenGLRenderWindow* window, vtkVirtualScree
   {
     return false;
   }
-  if (!this->Framebuffer)
+  if (!this->VertexArray)
   {
-    glGenFramebuffers(1, &this->Framebuffer);
     this->VertexArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
   }
   this->BlockExtent[0] = 2.0f * BlockSize / shapes->GetWidth();
   this->BlockExtent[1] = 2.0f * BlockSize / shapes->GetHeight();
   vtkOpenGLState* state = window->GetState();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  this->Framebuffer.Bind(window);
   this->Bounds->AttachLayer(0);
-  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  vtkShadowFramebuffer::SetDrawBuffers(window, 1);
+  if (!vtkShadowFramebuffer::IsComplete())
+  {
+    return false;
+  }
   state->vtkglViewport(0, 0, width, height);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -77,12 +81,20 @@ bool vtkVirtualBlocks::Use(vtkOpenGLRenderWindow* window)
   }
   this->Program = cache->ReadyShaderProgram(vtkVirtualBlockVS, this->Text.c_str(), "");
   ++this->Builds;
+  if (!this->Program)
+  {
+    vtkShadowFailures::Report("a shader does not compile");
+  }
   return this->Program != nullptr;
 }
 
 //------------------------------------------------------------------------------
 void vtkVirtualBlocks::Draw()
 {
+  if (vtkShadowFailures::IsFailing())
+  {
+    return;
+  }
   this->Program->SetUniformi("blockBounds", this->Bounds->Activate());
   this->Program->SetUniform2f("blockExtent", this->BlockExtent);
   this->VertexArray->Bind();
@@ -109,10 +121,9 @@ void vtkVirtualBlocks::ReleaseGraphicsResources(vtkWindow* window)
   this->Bounds->ReleaseGraphicsResources(window);
   this->BoundsShader.ReleaseGraphicsResources(window);
   this->Program = nullptr;
-  if (this->Framebuffer)
+  this->Framebuffer.Release();
+  if (this->VertexArray)
   {
-    glDeleteFramebuffers(1, &this->Framebuffer);
-    this->Framebuffer = 0;
     this->VertexArray->ReleaseGraphicsResources();
     this->VertexArray = nullptr;
   }

@@ -12,11 +12,12 @@
 #ifndef vtkVirtualBlocks_h
 #define vtkVirtualBlocks_h
 
-#include "vtkNew.h"            // For members
-#include "vtkShadowShader.h"   // For members
-#include "vtkSmartPointer.h"   // For members
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
-#include "vtkType.h"           // For bytes
+#include "vtkNew.h"               // For members
+#include "vtkShadowFramebuffer.h" // For members
+#include "vtkShadowShader.h"      // For members
+#include "vtkSmartPointer.h"      // For members
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
+#include "vtkType.h"              // For bytes
 
 #include <string> // For the shader
 
@@ -65,7 +66,7 @@ private:
   vtkShadowShader BoundsShader;
   vtkShaderProgram* Program = nullptr;
   vtkSmartPointer<vtkOpenGLVertexArrayObject> VertexArray;
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
   int Builds = 0;
   float BlockExtent[2] = { 0.0f, 0.0f }; // in clip coordinates
 };

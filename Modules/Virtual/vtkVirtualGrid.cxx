@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowFailures.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 #include "vtkVirtualScreen.h"
@@ -58,10 +59,9 @@ bool vtkVirtualGrid::Allocate(vtkOpenGLRenderWindow* window)
   {
     return false;
   }
-  if (!this->Framebuffer)
+  if (!this->VertexArray)
   {
     this->DrawnInSoftware = vtkVirtualScreen::IsDrawnInSoftware();
-    glGenFramebuffers(1, &this->Framebuffer);
     this->VertexArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
   }
   return true;
@@ -85,8 +85,13 @@ bool vtkVirtualGrid::Begin(vtkOpenGLRenderWindow* window)
 bool vtkVirtualGrid::Draw(vtkOpenGLRenderWindow* window, vtkVirtualScreen& screen)
 {
   vtkOpenGLState* state = window->GetState();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  this->Framebuffer.Bind(window);
+  this->Wishes[0]->AttachLayer(0);
+  vtkShadowFramebuffer::SetDrawBuffers(window, 1);
+  if (!vtkShadowFramebuffer::IsComplete())
+  {
+    return false;
+  }
   state->vtkglViewport(0, 0, GridSize, GridSize);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -119,13 +124,18 @@ bool vtkVirtualGrid::DrawPoints(vtkOpenGLRenderWindow* window, vtkVirtualScreen&
     ++this->PointBuilds;
     if (!this->PointProgram)
     {
+      vtkShadowFailures::Report("a shader does not compile");
       return false;
     }
   }
-  this->Wishes[0]->AttachLayer(0);
   const float unused[4] = { vtkVirtualTileTree::Unused, vtkVirtualTileTree::Unused, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, unused);
   vtkOpenGLState* state = window->GetState();
+  GLint equations[2] = { GL_FUNC_ADD, GL_FUNC_ADD };
+  glGetIntegerv(GL_BLEND_EQUATION_RGB, &equations[0]);
+  glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equations[1]);
+  const bool hasPointSize = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
+  glEnable(GL_PROGRAM_POINT_SIZE); // the shader's, not what an actor left
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_MIN);
   screen.Activate(this->PointProgram, vtkVirtualScreen::SHAPES);
@@ -137,7 +147,11 @@ bool vtkVirtualGrid::DrawPoints(vtkOpenGLRenderWindow* window, vtkVirtualScreen&
   glDrawArrays(GL_POINTS, 0, shapes->GetWidth() * shapes->GetHeight());
   this->VertexArray->Release();
   screen.Deactivate();
-  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendEquationSeparate(equations[0], equations[1]);
+  if (!hasPointSize)
+  {
+    glDisable(GL_PROGRAM_POINT_SIZE);
+  }
   return true;
 }
 
@@ -201,10 +215,9 @@ void vtkVirtualGrid::ReleaseGraphicsResources(vtkWindow* window)
   this->DilateShader.ReleaseGraphicsResources(window);
   this->PyramidShader.ReleaseGraphicsResources(window);
   this->PointProgram = nullptr;
-  if (this->Framebuffer)
+  this->Framebuffer.Release();
+  if (this->VertexArray)
   {
-    glDeleteFramebuffers(1, &this->Framebuffer);
-    this->Framebuffer = 0;
     this->VertexArray->ReleaseGraphicsResources();
     this->VertexArray = nullptr;
   }

@@ -15,11 +15,12 @@
 #ifndef vtkVirtualGrid_h
 #define vtkVirtualGrid_h
 
-#include "vtkNew.h"            // For members
-#include "vtkShadowShader.h"   // For members
-#include "vtkSmartPointer.h"   // For members
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
-#include "vtkType.h"           // For bytes
+#include "vtkNew.h"               // For members
+#include "vtkShadowFramebuffer.h" // For members
+#include "vtkShadowShader.h"      // For members
+#include "vtkSmartPointer.h"      // For members
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
+#include "vtkType.h"              // For bytes
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -69,7 +70,7 @@ private:
   vtkShaderProgram* PointProgram = nullptr; // the window's shader cache owns it
   vtkShadowShader DilateShader;
   vtkShadowShader PyramidShader;
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
   int PointBuilds = 0;
   bool DrawnInSoftware = false;
 };

@@ -4,6 +4,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkShadowScopedState.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 
@@ -34,6 +35,7 @@ vtkVirtualRequest::~vtkVirtualRequest() = default;
 void vtkVirtualRequest::Start(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* cells,
   const vtkShadowMapView& view, vtkTypeInt64 state)
 {
+  const vtkShadowScopedPixelStore pixelStore;
   if (!this->PixelBuffer)
   {
     glGenBuffers(1, &this->PixelBuffer);
@@ -41,9 +43,6 @@ void vtkVirtualRequest::Start(vtkOpenGLRenderWindow* window, vtkShadowTextureArr
     glBufferData(GL_PIXEL_PACK_BUFFER, CountBytes(), nullptr, GL_STREAM_READ);
   }
   window->GetState()->vtkglReadBuffer(GL_COLOR_ATTACHMENT0);
-  GLint alignment = 1;
-  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
-  window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
   size_t offset = 0;
   for (int level = 0; level < GridLevels; ++level)
@@ -53,8 +52,6 @@ void vtkVirtualRequest::Start(vtkOpenGLRenderWindow* window, vtkShadowTextureArr
     glReadPixels(0, 0, size, size, GL_RG, GL_FLOAT, reinterpret_cast<void*>(offset));
     offset += static_cast<size_t>(size) * size * sizeof(vtkVirtualTileTree::Cell);
   }
-  window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, alignment);
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   if (this->Fence)
   {
     glDeleteSync(static_cast<GLsync>(this->Fence));
@@ -93,6 +90,7 @@ bool vtkVirtualRequest::Take()
 {
   glDeleteSync(static_cast<GLsync>(this->Fence));
   this->Fence = nullptr;
+  const vtkShadowScopedPixelStore pixelStore;
   glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PixelBuffer);
   const void* data = glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, CountBytes(), GL_MAP_READ_BIT);
   if (data)
@@ -110,7 +108,6 @@ bool vtkVirtualRequest::Take()
     this->HeldView = this->SentView;
     this->HeldState = this->SentState;
   }
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   return data != nullptr;
 }
 

@@ -41,38 +41,38 @@ vtkTypeInt64 vtkVirtualScreen::CountShapeBytes(int width, int height)
 //------------------------------------------------------------------------------
 void vtkVirtualScreen::Bind(vtkOpenGLRenderWindow* window, TextureName first)
 {
-  if (!this->Framebuffer)
-  {
-    glGenFramebuffers(1, &this->Framebuffer);
-  }
   vtkOpenGLState* state = window->GetState();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  this->Framebuffer.Bind(window);
   state->vtkglViewport(0, 0, this->Textures[first]->GetWidth(), this->Textures[first]->GetHeight());
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualScreen::BeginShapes(vtkOpenGLRenderWindow* window)
+bool vtkVirtualScreen::BeginShapes(vtkOpenGLRenderWindow* window)
 {
   this->Bind(window, SHAPES);
   this->Textures[SHAPES]->AttachLayer(0, 0, 0);
   this->Textures[PREDICTIONS]->AttachLayer(0, 0, 1);
-  unsigned int buffers[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
-  window->GetState()->vtkglDrawBuffers(2, buffers);
-  glDrawBuffers(2, buffers); // VTK's cache keeps all but the first from the framebuffer before
+  vtkShadowFramebuffer::SetDrawBuffers(window, 2);
   window->GetState()->vtkglDisable(GL_BLEND);
+  return vtkShadowFramebuffer::IsComplete();
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualScreen::BeginSums(vtkOpenGLRenderWindow* window)
+bool vtkVirtualScreen::BeginSums(vtkOpenGLRenderWindow* window)
 {
   this->Bind(window, SUMS);
   this->Textures[SUMS]->AttachLayer(0);
-  window->GetState()->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  vtkShadowFramebuffer::SetDrawBuffers(window, 1);
+  if (!vtkShadowFramebuffer::IsComplete())
+  {
+    return false;
+  }
   window->GetState()->vtkglEnable(GL_BLEND); // one plus one, as the base class set it
   const float zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, zero);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -119,10 +119,6 @@ void vtkVirtualScreen::ReleaseGraphicsResources(vtkWindow* window)
   {
     texture->ReleaseGraphicsResources(window);
   }
-  if (this->Framebuffer)
-  {
-    glDeleteFramebuffers(1, &this->Framebuffer);
-    this->Framebuffer = 0;
-  }
+  this->Framebuffer.Release();
 }
 VTK_ABI_NAMESPACE_END

@@ -11,9 +11,10 @@
 #ifndef vtkVirtualScreen_h
 #define vtkVirtualScreen_h
 
-#include "vtkNew.h"            // For members
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
-#include "vtkType.h"           // For bytes
+#include "vtkNew.h"               // For members
+#include "vtkShadowFramebuffer.h" // For members
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
+#include "vtkType.h"              // For bytes
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -59,8 +60,8 @@ public:
    * Binds for drawing: shapes and predictions, or the cleared sums with additive blending. Neither
    * depth test nor scissor. The caller restores framebuffer and state.
    */
-  void BeginShapes(vtkOpenGLRenderWindow* window);
-  void BeginSums(vtkOpenGLRenderWindow* window);
+  bool BeginShapes(vtkOpenGLRenderWindow* window);
+  bool BeginSums(vtkOpenGLRenderWindow* window);
   ///@}
 
   ///@{
@@ -80,7 +81,7 @@ private:
   void Bind(vtkOpenGLRenderWindow* window, TextureName first);
 
   vtkNew<vtkShadowTextureArray> Textures[NUMBER_OF_TEXTURES];
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -5,10 +5,13 @@
 
 #include "vtkRenderer.h"
 #include "vtkShadowCasters.h"
+#include "vtkShadowFailures.h"
+#include "vtkShadowLimits.h"
 #include "vtkShadowReceivers.h"
 
 #include <algorithm>
 #include <sstream>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -184,7 +187,7 @@ void vtkVirtualSoftShadowPass::PlanTiles(const vtkSoftShadowContext& context, do
   vtkVirtualTileTree::Limits limits;
   limits.LargestTile = this->MapSize;
   limits.MostTexels = mostTexels;
-  limits.MostTiles = this->MaximumTiles;
+  limits.MostTiles = std::min(this->MaximumTiles, vtkShadowLimits::GetTextureLayers());
   // Measured with a software rasteriser: a look at a pixel in vain takes as long as a few texels.
   const double pixels =
     static_cast<double>(context.Receivers->GetWidth()) * context.Receivers->GetHeight();
@@ -218,8 +221,10 @@ void vtkVirtualSoftShadowPass::BakeTiles(const vtkSoftShadowContext& context)
   vtkVirtualEmitterState& emitter = *impl.Current;
   double mostTexels = this->MapMemory * (1048576.0 / 4.0);
   vtkVirtualTileMaps::Work work;
+  std::string reason;
   do
   {
+    const vtkShadowFailures attempt;
     this->PlanTiles(context, mostTexels);
     work = emitter.Maps.Update(context.Renderer, context.Casters, Internals::GetView(context),
       emitter.Tree.GetTiles(), vtkVirtualTileTree::GridSize);
@@ -228,7 +233,12 @@ void vtkVirtualSoftShadowPass::BakeTiles(const vtkSoftShadowContext& context)
     this->ChangeStatistics().TexelsDrawn += work.Texels;
     // A driver may have less than was allowed: everything becomes coarser.
     mostTexels = 0.25 * emitter.Tree.GetTexels();
+    reason = attempt.GetFirst();
   } while (work.Failed && mostTexels > 65536.0);
+  if (work.Failed)
+  {
+    vtkShadowFailures::Report(reason);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -91,11 +91,10 @@ bool vtkVirtualSoftShadowPass::DrawShapes(
   const vtkSoftShadowContext& context, const vtkVirtualEmitterState& emitter)
 {
   Internals& impl = *this->Impl;
-  if (!impl.ShapeShader->Use(context.Window))
+  if (!impl.ShapeShader->Use(context.Window) || !emitter.Screen->BeginShapes(context.Window))
   {
     return false;
   }
-  emitter.Screen->BeginShapes(context.Window);
   vtkShaderProgram* program = impl.ShapeShader->GetProgram();
   this->SetReceiverUniforms(program, context);
   this->SetMapUniforms(
@@ -133,11 +132,10 @@ void vtkVirtualSoftShadowPass::DrawTiles(const vtkSoftShadowContext& context)
   const bool allocated = impl.Sums.AllocateSums(
     context.Window, context.Receivers->GetWidth(), context.Receivers->GetHeight());
   if (!allocated || !impl.TileShader->FindBounds(context.Window, *emitter.Screen) ||
-    !impl.TileShader->Use(context.Window))
+    !impl.TileShader->Use(context.Window) || !impl.Sums.BeginSums(context.Window))
   {
     return;
   }
-  impl.Sums.BeginSums(context.Window);
   vtkShaderProgram* program = impl.TileShader->GetProgram();
   this->SetReceiverUniforms(program, context);
   emitter.Screen->Activate(program, Screen::SHAPES);

@@ -12,11 +12,16 @@
 #include "vtkPixelBufferObject.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowFailures.h"
+#include "vtkShadowFramebuffer.h"
+#include "vtkShadowLimits.h"
+#include "vtkShadowScopedState.h"
 #include "vtkShadowShader.h"
 #include "vtkSoftShadowsOpenGL.h"
 #include "vtkTextureObject.h"
 
 #include <limits>
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -54,35 +59,28 @@ vtkShadowReceivers::vtkShadowReceivers()
 vtkShadowReceivers::~vtkShadowReceivers() = default;
 
 //------------------------------------------------------------------------------
-bool vtkShadowReceivers::Begin(vtkRenderer* renderer, int width, int height)
+int vtkShadowReceivers::Begin(vtkRenderer* renderer, int width, int height)
 {
   vtkOpenGLRenderWindow* window = GetWindow(renderer);
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  const bool resize = this->Width != width || this->Height != height;
-  if (resize)
+  // A window that closes frees VTK's textures by itself.
+  const bool resize =
+    this->Width != width || this->Height != height || this->Positions->GetHandle() == 0;
+  if (resize && !this->Allocate(window, width, height))
   {
-    this->ReleaseGraphicsResources(window);
-    this->Width = width;
-    this->Height = height;
-    AllocateColor(this->Positions, window, width, height);
-    AllocateColor(this->Normals, window, width, height);
-    this->Depth->SetContext(window);
-    this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
-    this->Framebuffer->SetContext(window);
-    this->Framebuffer->Bind();
-    this->Framebuffer->AddColorAttachment(0, this->Positions);
-    this->Framebuffer->AddColorAttachment(1, this->Normals);
-    this->Framebuffer->AddDepthAttachment(this->Depth);
+    return -1;
   }
-  else
-  {
-    this->Framebuffer->Bind();
-  }
+  this->Framebuffer->Bind();
   // VTK's cache of draw buffers keeps all but the first from the framebuffer before (vtkSSAOPass draws
   // into three) and would leave out the call: first make it see a difference.
   state->vtkglDrawBuffer(GL_NONE);
   this->Framebuffer->ActivateDrawBuffers(2);
+  if (resize && !vtkShadowFramebuffer::IsComplete())
+  {
+    this->ReleaseGraphicsResources(window);
+    return -1;
+  }
 
   state->vtkglViewport(0, 0, width, height);
   state->vtkglScissor(0, 0, width, height);
@@ -97,7 +95,34 @@ bool vtkShadowReceivers::Begin(vtkRenderer* renderer, int width, int height)
 
   vtkMatrix4x4* worldToView = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
   vtkMatrix4x4::Invert(worldToView->GetData(), this->ViewToWorld.data());
-  return resize;
+  return resize ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowReceivers::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  const vtkShadowScopedPixelStore pixelStore;
+  this->ReleaseGraphicsResources(window);
+  const int largest = vtkShadowLimits::GetTextureSize();
+  if (width > largest || height > largest)
+  {
+    vtkShadowFailures::Report("a picture of " + std::to_string(width) + " x " +
+      std::to_string(height) + " pixels is larger than this OpenGL's textures, of " +
+      std::to_string(largest));
+    return false;
+  }
+  this->Width = width;
+  this->Height = height;
+  AllocateColor(this->Positions, window, width, height);
+  AllocateColor(this->Normals, window, width, height);
+  this->Depth->SetContext(window);
+  this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Positions);
+  this->Framebuffer->AddColorAttachment(1, this->Normals);
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -109,17 +134,18 @@ void vtkShadowReceivers::End(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void vtkShadowReceivers::Activate(vtkShaderProgram* program)
 {
-  this->Positions->Activate();
-  this->Normals->Activate();
-  program->SetUniformi("receiverPosition", this->Positions->GetTextureUnit());
-  program->SetUniformi("receiverNormal", this->Normals->GetTextureUnit());
+  vtkOpenGLRenderWindow* window = this->Positions->GetContext();
+  program->SetUniformi("receiverPosition",
+    this->PositionUnit.Bind(window, GL_TEXTURE_2D, this->Positions->GetHandle()));
+  program->SetUniformi(
+    "receiverNormal", this->NormalUnit.Bind(window, GL_TEXTURE_2D, this->Normals->GetHandle()));
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowReceivers::Deactivate()
 {
-  this->Positions->Deactivate();
-  this->Normals->Deactivate();
+  this->PositionUnit.Release();
+  this->NormalUnit.Release();
 }
 
 //------------------------------------------------------------------------------
@@ -141,6 +167,7 @@ vtkSmartPointer<vtkImageData> vtkShadowReceivers::ReadDepth()
   auto* values = static_cast<float*>(image->GetScalarPointer());
   const size_t count = static_cast<size_t>(this->Width) * this->Height;
   std::vector<float> positions(4 * count);
+  const vtkShadowScopedPixelStore pixelStore;
   vtkSmartPointer<vtkPixelBufferObject> buffer;
   buffer.TakeReference(this->Positions->Download());
   unsigned int size[2] = { static_cast<unsigned int>(this->Width),

@@ -16,6 +16,7 @@
 #include "vtkNew.h" // For members
 #include "vtkObject.h"
 #include "vtkRenderingSoftShadowsVisibilityModule.h" // For export macro
+#include "vtkShadowTextureUnit.h"                    // For members
 #include "vtkSmartPointer.h"                         // For the image
 #include "vtkSoftShadowsABI.h"                       // For the ABI namespace
 
@@ -38,10 +39,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Makes textures of the size, binds them for drawing and clears them. Returns true if they were
-   * made or resized. Every Begin needs its End, which restores the framebuffer.
+   * Makes textures of the size, binds them for drawing and clears them. Returns 1 if they were made or
+   * resized, 0 if they were there, and -1 if they cannot be had: then nothing can be drawn. Every
+   * Begin needs its End, which restores the framebuffer.
    */
-  bool Begin(vtkRenderer* renderer, int width, int height);
+  int Begin(vtkRenderer* renderer, int width, int height);
   void End(vtkRenderer* renderer);
 
   ///@{
@@ -78,6 +80,8 @@ protected:
   vtkNew<vtkTextureObject> Positions;
   vtkNew<vtkTextureObject> Normals;
   vtkNew<vtkTextureObject> Depth;
+  vtkShadowTextureUnit PositionUnit;
+  vtkShadowTextureUnit NormalUnit;
   int Width = 0;
   int Height = 0;
   std::array<double, 16> ViewToWorld;
@@ -85,6 +89,8 @@ protected:
 private:
   vtkShadowReceivers(const vtkShadowReceivers&) = delete;
   void operator=(const vtkShadowReceivers&) = delete;
+
+  bool Allocate(vtkOpenGLRenderWindow* window, int width, int height);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowFailures.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
@@ -54,32 +55,34 @@ int vtkSoftShadowAccumulator::Begin(
     this->ReleaseTextures(window);
     return -1;
   }
-  if (!this->Framebuffer)
-  {
-    glGenFramebuffers(1, &this->Framebuffer);
-  }
   for (int layer = 0; layer < layers; ++layer)
   {
     this->Mix(window, this->Textures[BASE], visibility, visibility, layer, 1.0f, 0.0f);
   }
   this->Clear(window);
+  if (vtkShadowFailures::IsFailing())
+  {
+    this->ReleaseTextures(window);
+    return -1;
+  }
   return made;
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowAccumulator::Bind(
+bool vtkSoftShadowAccumulator::Bind(
   vtkOpenGLRenderWindow* window, vtkShadowTextureArray* target, int layer)
 {
   vtkOpenGLState* state = window->GetState();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  this->Framebuffer.Bind(window);
   target->AttachLayer(layer);
-  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  vtkShadowFramebuffer::SetDrawBuffers(window, 1);
   state->vtkglViewport(0, 0, target->GetWidth(), target->GetHeight());
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_BLEND);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  return vtkShadowFramebuffer::IsComplete();
 }
 
 //------------------------------------------------------------------------------
@@ -87,20 +90,23 @@ void vtkSoftShadowAccumulator::Clear(vtkOpenGLRenderWindow* window)
 {
   for (int layer = 0; layer < this->Textures[SUM]->GetLayers(); ++layer)
   {
-    this->Bind(window, this->Textures[SUM], layer);
-    window->GetState()->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    window->GetState()->vtkglClear(GL_COLOR_BUFFER_BIT);
+    if (this->Bind(window, this->Textures[SUM], layer))
+    {
+      window->GetState()->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+      window->GetState()->vtkglClear(GL_COLOR_BUFFER_BIT);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowAccumulator::BeginSum(vtkOpenGLRenderWindow* window, int layer)
+bool vtkSoftShadowAccumulator::BeginSum(vtkOpenGLRenderWindow* window, int layer)
 {
-  this->Bind(window, this->Textures[SUM], layer);
+  const bool bound = this->Bind(window, this->Textures[SUM], layer);
   vtkOpenGLState* state = window->GetState();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   state->vtkglBlendEquation(GL_FUNC_ADD);
+  return bound;
 }
 
 //------------------------------------------------------------------------------
@@ -123,8 +129,7 @@ void vtkSoftShadowAccumulator::Mix(vtkOpenGLRenderWindow* window, vtkShadowTextu
   vtkShadowTextureArray* first, vtkShadowTextureArray* second, int layer, float firstShare,
   float secondShare)
 {
-  this->Bind(window, target, layer);
-  if (!this->MixShader.Use(window))
+  if (!this->Bind(window, target, layer) || !this->MixShader.Use(window))
   {
     return;
   }
@@ -147,8 +152,7 @@ void vtkSoftShadowAccumulator::Mix(vtkOpenGLRenderWindow* window, vtkShadowTextu
 std::vector<float> vtkSoftShadowAccumulator::ReadChanges(
   vtkOpenGLRenderWindow* window, vtkShadowReceivers* receivers, int layer, float scale)
 {
-  this->Bind(window, this->Tiles, layer);
-  if (!this->TilesShader.Use(window))
+  if (!this->Bind(window, this->Tiles, layer) || !this->TilesShader.Use(window))
   {
     return {};
   }
@@ -194,11 +198,7 @@ void vtkSoftShadowAccumulator::ReleaseTextures(vtkWindow* window)
   }
   this->Tiles->ReleaseGraphicsResources(window);
   // What is attached to a framebuffer lives as long as that does.
-  if (this->Framebuffer)
-  {
-    glDeleteFramebuffers(1, &this->Framebuffer);
-    this->Framebuffer = 0;
-  }
+  this->Framebuffer.Release();
 }
 
 //------------------------------------------------------------------------------

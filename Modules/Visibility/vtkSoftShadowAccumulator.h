@@ -13,10 +13,11 @@
 #ifndef vtkSoftShadowAccumulator_h
 #define vtkSoftShadowAccumulator_h
 
-#include "vtkNew.h"            // For members
-#include "vtkShadowShader.h"   // For shaders
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
-#include "vtkType.h"           // For vtkTypeInt64
+#include "vtkNew.h"               // For members
+#include "vtkShadowFramebuffer.h" // For members
+#include "vtkShadowShader.h"      // For shaders
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
+#include "vtkType.h"              // For vtkTypeInt64
 
 #include <vector> // For tiles
 
@@ -46,8 +47,8 @@ public:
   /// Clears the sums.
   void Clear(vtkOpenGLRenderWindow* window);
 
-  /// Binds the sum of a light for additive drawing over the whole viewport.
-  void BeginSum(vtkOpenGLRenderWindow* window, int layer);
+  /// Binds the sum of a light for additive drawing over the whole viewport. False if it cannot be.
+  bool BeginSum(vtkOpenGLRenderWindow* window, int layer);
 
   /// Copies the mean, scale times the sum, to held.
   void Hold(vtkOpenGLRenderWindow* window, int layer, float scale);
@@ -84,9 +85,9 @@ private:
   vtkNew<vtkShadowTextureArray> Tiles;
   vtkShadowShader MixShader;
   vtkShadowShader TilesShader;
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
 
-  void Bind(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* target, int layer);
+  bool Bind(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* target, int layer);
   void Mix(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* target,
     vtkShadowTextureArray* first, vtkShadowTextureArray* second, int layer, float firstShare,
     float secondShare);

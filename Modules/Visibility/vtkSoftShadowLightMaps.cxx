@@ -112,7 +112,12 @@ int vtkSoftShadowLightMaps::BakePart(vtkRenderer* renderer, vtkShadowCasters* ca
   const size_t first = wanted / count * count;
   const size_t last = std::min(first + count, views.size());
   const std::vector<vtkShadowMapView> batch(views.begin() + first, views.begin() + last);
-  baked += std::max(this->PartMaps->Bake(renderer, casters, batch, mapSize, conservative), 0);
+  const int drawn = this->PartMaps->Bake(renderer, casters, batch, mapSize, conservative);
+  if (drawn < 0)
+  {
+    return -1;
+  }
+  baked += drawn;
   if (pyramid)
   {
     this->PartPyramid->Update(

@@ -56,12 +56,12 @@ public:
     vtkMTimeType castersTime, int split, bool gaussian);
 
   /// Bakes the faces' maps, and the pyramid over them if asked to. Returns the number of maps
-  /// baked.
+  /// baked; vtkShadowFailures is told what cannot be had.
   int BakeFaces(
     vtkRenderer* renderer, vtkShadowCasters* casters, int mapSize, bool conservative, bool pyramid);
 
   /**
-   * Makes the map of a part valid and returns its layer in the part maps. count is the number of
+   * Makes the map of a part valid and returns its layer in the part maps, -1 if it cannot be had. count is the number of
    * layers that may be held at a time; baked is increased by the number of maps drawn. With pyramid
    * the part maps' pyramid is brought up to date.
    */

@@ -69,12 +69,23 @@ void vtkSoftShadowMapperHooks::PreReplace(std::string& fragmentShader, vtkProp* 
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowMapperHooks::PostReplace(std::string& fragmentShader)
+std::string vtkSoftShadowMapperHooks::PostReplace(std::string& fragmentShader)
 {
-  const bool lit = fragmentShader.find("vec4 vertexVC") != std::string::npos;
-  vtkShaderProgram::Substitute(
-    fragmentShader, ReceiveMark, lit ? vtkSoftShadowMapperReceive : "", false);
-  vtkShaderProgram::Substitute(fragmentShader, ShadeMark, ShadeLights(fragmentShader), false);
+  // Surfaces that are not lit need no shadows.
+  const bool usesLights = fragmentShader.find("lightColor") != std::string::npos;
+  const bool isDeclared = fragmentShader.find("softShadowFactor(") != std::string::npos;
+  const bool hasPosition = fragmentShader.find("vec4 vertexVC") != std::string::npos;
+  const std::string lights = isDeclared ? ShadeLights(fragmentShader) : std::string();
+  const bool receives = vtkShaderProgram::Substitute(fragmentShader, ReceiveMark,
+    isDeclared && hasPosition ? vtkSoftShadowMapperReceive : "", false);
+  const bool shades = vtkShaderProgram::Substitute(fragmentShader, ShadeMark, lights, false);
+  if (!usesLights || (isDeclared && shades && receives && hasPosition && !lights.empty()))
+  {
+    return "";
+  }
+  return !isDeclared || !shades || !receives
+    ? "one of VTK's marks for lights is missing in its program"
+    : "its program has no lightColor0 or no vertexVC, as VTK's have";
 }
 
 //------------------------------------------------------------------------------

@@ -40,7 +40,12 @@ public:
   ///@}
 
   void PreReplace(std::string& fragmentShader, vtkProp* prop) const;
-  static void PostReplace(std::string& fragmentShader);
+  /**
+   * Puts in what the marks stand for. Returns what is wrong with a program that lights its surfaces but
+   * has none of the marks that shadows need, as if VTK had renamed them: an end of a sentence, empty if
+   * all is well.
+   */
+  static std::string PostReplace(std::string& fragmentShader);
   void SetUniforms(vtkShaderProgram* program, vtkProp* prop) const;
 };
 

@@ -2,21 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSoftShadowPass.h"
 
+#include "vtkAbstractMapper.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkShadowFailures.h"
+#include "vtkShadowLimits.h"
 #include "vtkShadowMapFitter.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowPassInternals.h"
 #include "vtkSoftShadowRendererDuties.h"
 #include "vtkSoftShadowScopedState.h"
 #include "vtkSoftShadowsOpenGL.h"
+#include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -27,12 +32,16 @@ vtkOpenGLRenderWindow* GetWindow(const vtkRenderState* s)
   return static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
 }
 
-// Whatever window is at work: what lies in this one is freed in its own context.
-void ReleaseIn(vtkOpenGLRenderWindow* window, vtkSoftShadowPass* pass)
+// VTK takes one of its own for a moment whenever it makes a texture.
+bool HasTextureUnit(vtkOpenGLRenderWindow* window)
 {
-  window->PushContext();
-  pass->ReleaseGraphicsResources(window);
-  window->PopContext();
+  vtkTextureUnitManager* units = window->GetState()->GetTextureUnitManager();
+  const int unit = units->Allocate();
+  if (unit >= 0)
+  {
+    units->Free(unit);
+  }
+  return unit >= 0;
 }
 
 } // namespace
@@ -40,8 +49,36 @@ void ReleaseIn(vtkOpenGLRenderWindow* window, vtkSoftShadowPass* pass)
 vtkCxxSetObjectMacro(vtkSoftShadowPass, DelegatePass, vtkRenderPass);
 
 //------------------------------------------------------------------------------
+// While one lives, maps are at most as large as this OpenGL's textures.
+class vtkSoftShadowPass::ScopedMapSize
+{
+public:
+  explicit ScopedMapSize(vtkSoftShadowPass* pass)
+    : Pass(pass)
+    , Wanted(pass->MapSize)
+  {
+    const int largest = vtkShadowLimits::GetTextureSize();
+    if (this->Wanted > largest && pass->Impl->ToldMapSize != this->Wanted)
+    {
+      pass->Impl->ToldMapSize = this->Wanted;
+      vtkWarningWithObjectMacro(pass,
+        "Depth maps have " << largest << " texels along an edge, not " << this->Wanted
+                           << ": this OpenGL allows no more.");
+    }
+    pass->MapSize = std::min(this->Wanted, largest);
+  }
+  ~ScopedMapSize() { this->Pass->MapSize = this->Wanted; }
+  ScopedMapSize(const ScopedMapSize&) = delete;
+  void operator=(const ScopedMapSize&) = delete;
+
+private:
+  vtkSoftShadowPass* Pass;
+  int Wanted;
+};
+
+//------------------------------------------------------------------------------
 vtkSoftShadowPass::vtkSoftShadowPass()
-  : Impl(new Internals)
+  : Impl(new Internals(this))
 {
 }
 
@@ -55,11 +92,7 @@ vtkSoftShadowPass::~vtkSoftShadowPass()
 //------------------------------------------------------------------------------
 void vtkSoftShadowPass::ReleaseBeforeDestruction()
 {
-  vtkOpenGLRenderWindow* window = this->Impl->Window;
-  if (window)
-  {
-    ReleaseIn(window, this);
-  }
+  this->Impl->Watch.Free();
 }
 
 //------------------------------------------------------------------------------
@@ -68,12 +101,8 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
   this->NumberOfRenderedProps = 0;
   Internals& impl = *this->Impl;
   vtkOpenGLRenderWindow* window = GetWindow(s);
-  if (impl.Window && impl.Window != window)
-  {
-    ReleaseIn(
-      impl.Window, this); // one pass for two windows: nothing can move from one to the other
-  }
-  impl.Window = window;
+  impl.Watch.Enter(window); // one pass for two windows: nothing can move from one to the other
+  const ScopedMapSize mapSize(this);
   vtkSoftShadowRendererDuties::UpdateStereo(s->GetRenderer());
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, impl.Viewport);
@@ -102,6 +131,7 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
     // A prop drew another level of detail than the receivers have. Which one it will draw is not known
     // before: only now. At most one correction per frame, what is drawn over it has the same depth.
     impl.Signature.Clear();
+    this->CollectLights(s);
     this->UpdateVisibility(s);
     impl.Timers.BeginStep("shading");
     this->Shade(s);
@@ -125,7 +155,9 @@ void vtkSoftShadowPass::CollectLights(const vtkRenderState* s)
   vtkLightCollection* lights = s->GetRenderer()->GetLights();
   vtkCollectionSimpleIterator iterator;
   lights->InitTraversal(iterator);
+  const int mostLayers = vtkShadowLimits::GetTextureLayers();
   int layers = 0;
+  int firstWithout = -1;
   while (vtkLight* light = lights->GetNextLight(iterator))
   {
     if (!light->GetSwitch())
@@ -135,6 +167,13 @@ void vtkSoftShadowPass::CollectLights(const vtkRenderState* s)
     Internals::LitLight lit;
     lit.Light = light;
     lit.Casts = vtkShadowEmitter::FromLight(light, lit.Emitter, lit.Reason);
+    if (lit.Casts && layers == mostLayers)
+    {
+      lit.Casts = false;
+      firstWithout = firstWithout < 0 ? static_cast<int>(impl.Lights.size()) : firstWithout;
+      lit.Reason =
+        "this OpenGL has no more than " + std::to_string(layers) + " layers of a texture";
+    }
     lit.Layer = lit.Casts ? layers++ : -1;
     impl.Hooks.Layers.push_back(lit.Layer);
     impl.Hooks.Attenuations.push_back(
@@ -143,6 +182,12 @@ void vtkSoftShadowPass::CollectLights(const vtkRenderState* s)
   }
   impl.Statistics.LightsLit = static_cast<int>(impl.Lights.size());
   impl.Statistics.LightsCasting = layers;
+  if (firstWithout >= 0 && !impl.ToldLayers)
+  {
+    vtkWarningMacro("Light " << firstWithout << " is shown without shadows: "
+                             << impl.Lights[firstWithout].Reason << ".");
+  }
+  impl.ToldLayers = firstWithout >= 0;
 }
 
 //------------------------------------------------------------------------------
@@ -163,38 +208,94 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
     light.Emitter = light.Casts ? fitter.SeeFromAfar(light.Emitter) : light.Emitter;
   }
   const bool anew = this->WantsVisibilityAnew();
-  const bool changed = this->SignatureChanged(s);
+  const bool changed = this->SignatureChanged(s) || impl.Losses.IsRetryDue();
   const bool begun = impl.Schedule.IsStarted() || impl.Schedule.IsEnded();
-  if (!changed && (!anew || begun))
+  if (changed || (anew && !begun))
   {
-    if (this->GetRefining())
-    {
-      const vtkSoftShadowScopedState scope(GetWindow(s)->GetState());
-      impl.Hooks.VisibilityUnit = scope.GetFreeUnit(); // as below
-      impl.Timers.BeginStep("refinement");
-      this->Refine(s);
-    }
-    return;
+    this->EstimateVisibility(s, changed);
+  }
+  else if (this->GetRefining())
+  {
+    const vtkSoftShadowScopedState scope(GetWindow(s));
+    impl.Hooks.VisibilityUnit = scope.GetFreeUnit(); // as for an estimate
+    impl.Timers.BeginStep("refinement");
+    this->Refine(s);
+  }
+  this->HideLostLights();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::EstimateVisibility(const vtkRenderState* s, bool changed)
+{
+  Internals& impl = *this->Impl;
+  vtkOpenGLRenderWindow* window = GetWindow(s);
+  if (impl.Losses.HasAny())
+  {
+    // Nothing half made stays, and what is held may be what there was no memory for.
+    impl.Watch.Free();
+    impl.Watch.Enter(window);
   }
   impl.Schedule.Reset();
   impl.HasNews = false; // of a mean that is thrown away
   if (!this->Progressive)
   {
-    this->ReleaseProgress(GetWindow(s));
+    this->ReleaseProgress(window);
   }
-  const vtkSoftShadowScopedState scope(GetWindow(s)->GetState());
+  const vtkSoftShadowScopedState scope(window);
   // The mappers' programs sample the visibility. Where they bake or draw receivers it is not read, but
   // its sampler must not share a unit with a sampler of another type: OpenGL draws nothing then.
   impl.Hooks.VisibilityUnit = scope.GetFreeUnit();
+  impl.Losses.Begin(impl.Statistics.LightsCasting);
   impl.Timers.BeginStep("maps");
   this->BakeMaps(s);
   impl.Timers.BeginStep("receivers");
-  this->DrawReceivers(s);
+  const bool received = this->DrawReceivers(s);
   impl.Timers.BeginStep("visibility");
   impl.Statistics.TechniqueCounts.clear();
-  this->EstimateLights(s, changed);
+  if (received)
+  {
+    this->EstimateLights(s, changed);
+  }
+  this->WarnOfLosses();
+  impl.Losses.End();
   impl.Signature.Swap(impl.NextSignature);
   ++impl.Statistics.VisibilityFrames;
+}
+
+//------------------------------------------------------------------------------
+// A light without a layer reaches every surface.
+void vtkSoftShadowPass::HideLostLights()
+{
+  Internals& impl = *this->Impl;
+  for (size_t i = 0; i < impl.Lights.size(); ++i)
+  {
+    const std::string& reason = impl.Losses.GetReason(impl.Lights[i].Layer);
+    if (!reason.empty())
+    {
+      impl.Lights[i].Casts = false;
+      impl.Lights[i].Reason = reason;
+      impl.Lights[i].Layer = impl.Hooks.Layers[i] = -1;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::WarnOfLosses()
+{
+  Internals& impl = *this->Impl;
+  std::vector<int> numbers;
+  for (size_t i = 0; i < impl.Lights.size(); ++i)
+  {
+    if (impl.Lights[i].Casts)
+    {
+      numbers.push_back(static_cast<int>(i));
+    }
+  }
+  const std::string news = impl.Losses.TakeNews(numbers);
+  if (!news.empty())
+  {
+    vtkWarningMacro(<< news);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -242,15 +343,17 @@ void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
       impl.Maps.push_back(std::make_unique<vtkSoftShadowLightMaps>());
     }
     vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
+    const vtkShadowFailures failures;
     maps.Fit(light.Emitter, fitter, impl.Casters->GetBodiesTime(), this->Split,
       this->HasGaussianWeights());
     tooNear += maps.GetNumberTooNear();
     if (faceMaps)
     {
-      const int baked = maps.BakeFaces(s->GetRenderer(), impl.Casters, this->GetEmitterMapSize(),
+      const int baked = maps.BakeFaces(s->GetRenderer(), impl.Casters, this->GetLimitedMapSize(),
         this->NeedsConservativeMaps(), pyramid);
       this->CountBakes(baked);
     }
+    impl.Losses.Lose(light.Layer, failures.GetFirst());
   }
   if (tooNear > 0 && !impl.WarnedOfRange)
   {
@@ -260,21 +363,37 @@ void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+int vtkSoftShadowPass::GetLimitedMapSize() const
+{
+  return std::min(this->GetEmitterMapSize(), vtkShadowLimits::GetTextureSize());
+}
+
+//------------------------------------------------------------------------------
 void vtkSoftShadowPass::CountBakes(int maps)
 {
-  const vtkTypeInt64 size = this->GetEmitterMapSize();
+  const vtkTypeInt64 size = this->GetLimitedMapSize();
   this->Impl->Statistics.MapsBaked += maps;
   this->Impl->Statistics.TexelsDrawn += maps * size * size;
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
+bool vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
 {
   Internals& impl = *this->Impl;
-  if (impl.Receivers->Begin(s->GetRenderer(), impl.Viewport[2], impl.Viewport[3]))
+  const vtkShadowFailures failures;
+  if (!HasTextureUnit(GetWindow(s)))
   {
-    ++impl.Statistics.Allocations;
+    impl.Losses.LoseAll("no texture unit is left");
+    return false;
   }
+  const int made = impl.Receivers->Begin(s->GetRenderer(), impl.Viewport[2], impl.Viewport[3]);
+  if (made < 0)
+  {
+    impl.Receivers->End(s->GetRenderer());
+    impl.Losses.LoseAll(failures.GetFirst());
+    return false;
+  }
+  impl.Statistics.Allocations += made;
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_RECEIVE;
   impl.ReceiverMappers.Clear();
   impl.Drawn = &impl.ReceiverMappers;
@@ -282,6 +401,7 @@ void vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
   impl.Drawn = nullptr;
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
   impl.Receivers->End(s->GetRenderer());
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -291,6 +411,7 @@ void vtkSoftShadowPass::Shade(const vtkRenderState* s)
   impl.Hooks.Origin[0] = impl.Viewport[0];
   impl.Hooks.Origin[1] = impl.Viewport[1];
   vtkShadowTextureArray* visibility = impl.Target.GetTexture();
+  const vtkOpenGLState::ScopedglActiveTexture activeTexture(GetWindow(s)->GetState());
   impl.Hooks.VisibilityUnit = visibility->Activate(GetWindow(s));
   impl.ShadingMappers.Clear();
   impl.Drawn = &impl.ShadingMappers;
@@ -318,9 +439,14 @@ bool vtkSoftShadowPass::PreReplaceShaderValues(
 
 //------------------------------------------------------------------------------
 bool vtkSoftShadowPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
-  vtkSoftShadowMapperHooks::PostReplace(fragmentShader);
+  const std::string problem = vtkSoftShadowMapperHooks::PostReplace(fragmentShader);
+  const std::string name = mapper ? mapper->GetClassName() : "a mapper";
+  if (!problem.empty() && this->Impl->ToldMappers.insert(name).second)
+  {
+    vtkWarningMacro("No shadow falls on what " << name << " draws: " << problem << ".");
+  }
   return true;
 }
 
@@ -345,12 +471,11 @@ vtkSoftShadowStatistics& vtkSoftShadowPass::ChangeStatistics()
 //------------------------------------------------------------------------------
 void vtkSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  vtkOpenGLRenderWindow* owner = this->Impl->Window;
-  if (owner && owner != window)
+  if (this->Impl->Watch.GetWindow())
   {
-    // A window that shared the pass goes. Techniques come here first, and find nothing left to free
-    // afterwards, where names would be those of another context.
-    ReleaseIn(owner, this);
+    // Whichever window is meant: comes here again, in the context of the one that all lies in.
+    // Techniques come here first, and find nothing left to free afterwards.
+    this->Impl->Watch.Free();
   }
   this->Superclass::ReleaseGraphicsResources(window);
   if (this->DelegatePass)
@@ -379,7 +504,7 @@ void vtkSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
     impl.UsedQueries = 0;
   }
   impl.Signature.Clear();
-  impl.Window = nullptr;
+  impl.Losses.Clear();
 }
 
 //------------------------------------------------------------------------------

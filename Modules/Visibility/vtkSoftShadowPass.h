@@ -22,6 +22,10 @@
  * The visibility of a light at a pixel is in [0, 1], 1 fully lit and 0 umbra. It can be read as an
  * image. Opaque surfaces receive; translucent props and unlit surfaces neither receive nor cast.
  *
+ * Where OpenGL has not the memory, or not the textures that a light's visibility takes, that light is
+ * shown without shadows (visibility 1). A warning names it once and the light report says why; later
+ * frames try again.
+ *
  * @sa vtkAreaLight vtkShadowCasters
  */
 
@@ -111,7 +115,8 @@ public:
   ///@{
   /**
    * Texels along an edge of a depth map, in [32, 16384]. More resolve finer casters and closer
-   * contacts; cost is quadratic, when baking. Default is 2048.
+   * contacts; cost is quadratic, when baking. Default is 2048. More than the driver allows count as
+   * what it allows, with a warning.
    */
   vtkSetClampMacro(MapSize, int, 32, 16384);
   vtkGetMacro(MapSize, int);
@@ -373,7 +378,7 @@ protected:
   /// Whether the depth maps of one light, all its parts together, are more than MapMemory.
   bool ExceedsMapMemory(vtkTypeInt64 bytes) const;
 
-  /// How many of the emitters' maps fit MapMemory, at least 1.
+  /// How many of the emitters' maps fit MapMemory and the layers of a texture, at least 1.
   size_t GetMapsPerBatch() const;
 
   /// Adds to the counts of maps and, each of the emitters' size, texels.
@@ -405,17 +410,24 @@ private:
   class Internals;
   std::unique_ptr<Internals> Impl;
 
+  class ScopedMapSize;
+
+  int GetLimitedMapSize() const;
   void CollectLights(const vtkRenderState* s);
+  void EstimateVisibility(const vtkRenderState* s, bool changed);
+  void HideLostLights();
+  void WarnOfLosses();
   void DrawOpaque(const vtkRenderState* s);
   void UpdateVisibility(const vtkRenderState* s);
   bool SignatureChanged(const vtkRenderState* s);
   void BakeMaps(const vtkRenderState* s);
-  void DrawReceivers(const vtkRenderState* s);
+  bool DrawReceivers(const vtkRenderState* s);
   void Shade(const vtkRenderState* s);
 
   void EstimateLights(const vtkRenderState* s, bool changed);
   void PrepareLight(vtkSoftShadowContext& context, int layer);
   bool SelectPart(vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex);
+  void EstimateOrPrepare(vtkSoftShadowContext& context, bool preparing);
   void EstimateLight(vtkSoftShadowContext& context, int layer);
   void EstimatePart(vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex);
   void Refine(const vtkRenderState* s);
@@ -424,7 +436,7 @@ private:
   bool AddRun(vtkSoftShadowContext& context, int run);
   bool AddPoint(vtkSoftShadowContext& context, int layer, int index);
   void LookAtMean(vtkOpenGLRenderWindow* window);
-  void LoseMaps(vtkOpenGLRenderWindow* window);
+  void LoseMaps(vtkOpenGLRenderWindow* window, const std::string& reason);
   void ClearMean(vtkOpenGLRenderWindow* window);
   void ReleaseProgress(vtkOpenGLRenderWindow* window);
   void DrawMarks(const vtkSoftShadowContext& context, const vtkShadowMapView* view);

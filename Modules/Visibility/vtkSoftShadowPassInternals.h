@@ -11,25 +11,27 @@
 #include "vtkNew.h" // For members
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShadowCasters.h"
+#include "vtkShadowContextWatch.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
 #include "vtkSoftShadowAccumulator.h"
 #include "vtkSoftShadowDrawnMappers.h"
 #include "vtkSoftShadowLightMaps.h"
+#include "vtkSoftShadowLosses.h"
 #include "vtkSoftShadowMapperHooks.h"
 #include "vtkSoftShadowPass.h"
 #include "vtkSoftShadowSchedule.h"
 #include "vtkSoftShadowSignature.h"
 #include "vtkSoftShadowTarget.h"
 #include "vtkSoftShadowTimers.h"
-#include "vtkWeakPointer.h"
 
 #include "vtkSoftShadowConstantFS.h"
 #include "vtkSoftShadowPointFS.h"
 #include "vtkSoftShadowProofFS.h"
 
 #include <memory> // For light maps
+#include <set>    // For names
 #include <string> // For reasons
 #include <vector> // For lists
 
@@ -38,15 +40,20 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkSoftShadowPass::Internals
 {
 public:
-  /// The window whose context holds the resources, as long as it lives.
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  explicit Internals(vtkSoftShadowPass* self)
+    : Watch([self](vtkOpenGLRenderWindow* window) { self->ReleaseGraphicsResources(window); })
+  {
+  }
+
+  /// Of the window whose context holds the resources.
+  vtkShadowContextWatch Watch;
 
   // What is read back lies in the window of the last frame, whichever has rendered or died since.
   void MakeCurrent()
   {
-    if (this->Window)
+    if (this->Watch.GetWindow())
     {
-      this->Window->MakeCurrent();
+      this->Watch.GetWindow()->MakeCurrent();
     }
   }
 
@@ -73,6 +80,10 @@ public:
   vtkSoftShadowSignature NextSignature; // of the frame at hand
   std::vector<LitLight> Lights;
   std::vector<std::unique_ptr<vtkSoftShadowLightMaps>> Maps; // per casting light
+  vtkSoftShadowLosses Losses;                                // of the visibility that is held
+  int ToldMapSize = 0;                                       // that is too large for this OpenGL
+  bool ToldLayers = false;           // that there are more lights than layers
+  std::set<std::string> ToldMappers; // whose programs take no shadows
 
   vtkShadowShader ProofShader{ vtkSoftShadowProofFS };
   vtkShadowShader ConstantShader{ vtkSoftShadowConstantFS };

@@ -10,12 +10,15 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowDepthMaps.h"
+#include "vtkShadowFailures.h"
+#include "vtkShadowLimits.h"
 #include "vtkShadowMapFitter.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowPassInternals.h"
 #include "vtkSoftShadowsOpenGL.h"
 
 #include <algorithm>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -24,11 +27,10 @@ namespace
 // The largest map that memory and the driver allow; finer ones cost more than they gain.
 int FindLargestMap(int memory)
 {
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const int largest = std::min(vtkShadowLimits::GetTextureSize(), 4096);
   vtkTypeInt64 size = 32;
-  while (2 * size <= std::min<vtkTypeInt64>(largest, 4096) &&
-    4 * (2 * size) * (2 * size) <= static_cast<vtkTypeInt64>(memory) << 20)
+  while (
+    2 * size <= largest && 4 * (2 * size) * (2 * size) <= static_cast<vtkTypeInt64>(memory) << 20)
   {
     size *= 2;
   }
@@ -64,13 +66,14 @@ void vtkSoftShadowPass::Refine(const vtkRenderState* s)
   {
     return;
   }
-  if (impl.Statistics.LightsCasting == 0 || !impl.Target.GetTexture()->GetHandle())
+  if (impl.Statistics.LightsCasting == 0 || impl.Losses.HasAny())
   {
     schedule.Finish(impl.Statistics.LightsCasting == 0);
     impl.HasNews = schedule.IsConverged();
     return;
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+  const vtkShadowFailures failures;
   window->GetState()->PushFramebufferBindings();
   if (schedule.IsStarted() || this->BeginProgress(window))
   {
@@ -83,6 +86,11 @@ void vtkSoftShadowPass::Refine(const vtkRenderState* s)
   }
   ++impl.Statistics.ProgressiveFrames;
   window->GetState()->PopFramebufferBindings();
+  if (failures.HasAny())
+  {
+    vtkWarningMacro("The picture is not refined any further: " << failures.GetFirst() << ".");
+    schedule.Finish(false);
+  }
   if (schedule.IsEnded())
   {
     this->ReleaseProgress(window); // the mean stands in the visibilities
@@ -128,9 +136,10 @@ void vtkSoftShadowPass::AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow
   {
     const int run = schedule.GetRun(left);
     left -= run;
-    if (!this->AddRun(context, run))
+    const vtkShadowFailures failures;
+    if (!this->AddRun(context, run) || failures.HasAny())
     {
-      this->LoseMaps(window);
+      this->LoseMaps(window, failures.GetFirst());
     }
     else if (schedule.Advance(run))
     {
@@ -186,8 +195,7 @@ bool vtkSoftShadowPass::AddPoint(vtkSoftShadowContext& context, int layer, int i
       impl.Statistics.MapsBaked += baked;
       impl.Statistics.TexelsDrawn += static_cast<vtkTypeInt64>(baked) * mapSize * mapSize;
     }
-    impl.Accumulator.BeginSum(context.Window, layer);
-    if (!impl.PointShader.Use(context.Window))
+    if (!impl.Accumulator.BeginSum(context.Window, layer) || !impl.PointShader.Use(context.Window))
     {
       return false;
     }
@@ -245,20 +253,20 @@ void vtkSoftShadowPass::ClearMean(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowPass::LoseMaps(vtkOpenGLRenderWindow* window)
+void vtkSoftShadowPass::LoseMaps(vtkOpenGLRenderWindow* window, const std::string& reason)
 {
   Internals& impl = *this->Impl;
   const int size = impl.Schedule.GetMapSize();
   if (impl.Schedule.LoseMaps())
   {
-    vtkWarningMacro("There is no memory for a depth map of "
-      << size << " x " << size << " texels: the mean goes on with " << impl.Schedule.GetMapSize()
-      << ".");
+    vtkWarningMacro("There is no depth map of " << size << " x " << size << " texels (" << reason
+                                                << "): the mean goes on with "
+                                                << impl.Schedule.GetMapSize() << ".");
   }
   else
   {
-    vtkWarningMacro("There is no memory for a depth map of "
-      << size << " x " << size << " texels: the picture stays as it was before.");
+    vtkWarningMacro("There is no depth map of " << size << " x " << size << " texels (" << reason
+                                                << "): the picture stays as it was before.");
   }
   this->ClearMean(window);
 }

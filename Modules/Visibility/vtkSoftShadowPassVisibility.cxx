@@ -13,6 +13,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowDepthPyramid.h"
+#include "vtkShadowFailures.h"
+#include "vtkShadowLimits.h"
 #include "vtkShadowMapFitter.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowPassInternals.h"
@@ -70,11 +72,10 @@ void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s, bool changed)
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
   window->GetState()->PushFramebufferBindings();
-  if (impl.Target.Allocate(
-        window, impl.Viewport[2], impl.Viewport[3], impl.Statistics.LightsCasting))
-  {
-    ++impl.Statistics.Allocations;
-  }
+  const vtkShadowFailures failures; // of what all lights need
+  const int made =
+    impl.Target.Allocate(window, impl.Viewport[2], impl.Viewport[3], impl.Statistics.LightsCasting);
+  impl.Statistics.Allocations += std::max(made, 0);
   const vtkShadowMapFitter fitter(impl.Casters->GetBodies());
   vtkSoftShadowContext context;
   context.Renderer = s->GetRenderer();
@@ -85,29 +86,46 @@ void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s, bool changed)
   context.Marks = impl.Target.GetMarks();
   context.Changed = changed;
   impl.UsedQueries = 0;
-  const bool prepare = this->BeginVisibility(context);
-  for (const bool preparing : { true, false })
+  const bool prepare = made >= 0 && this->BeginVisibility(context);
+  if (failures.HasAny())
   {
-    for (size_t i = 0; i < impl.Lights.size() && impl.Target.GetTexture()->GetHandle(); ++i)
+    impl.Losses.LoseAll(failures.GetFirst());
+  }
+  else
+  {
+    if (prepare)
     {
-      if (!impl.Lights[i].Casts || (preparing && !prepare))
-      {
-        continue;
-      }
-      context.Light = static_cast<int>(i);
-      context.Source = impl.Lights[i].Light;
-      const int layer = impl.Lights[i].Layer;
-      if (preparing)
-      {
-        this->PrepareLight(context, layer);
-      }
-      else
-      {
-        this->EstimateLight(context, layer);
-      }
+      this->EstimateOrPrepare(context, true);
     }
+    this->EstimateOrPrepare(context, false);
   }
   window->GetState()->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowPass::EstimateOrPrepare(vtkSoftShadowContext& context, bool preparing)
+{
+  Internals& impl = *this->Impl;
+  for (size_t i = 0; i < impl.Lights.size(); ++i)
+  {
+    const int layer = impl.Lights[i].Layer;
+    if (!impl.Lights[i].Casts || !impl.Losses.GetReason(layer).empty())
+    {
+      continue;
+    }
+    context.Light = static_cast<int>(i);
+    context.Source = impl.Lights[i].Light;
+    const vtkShadowFailures failures;
+    if (preparing)
+    {
+      this->PrepareLight(context, layer);
+    }
+    else
+    {
+      this->EstimateLight(context, layer);
+    }
+    impl.Losses.Lose(layer, failures.GetFirst());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -137,6 +155,10 @@ void vtkSoftShadowPass::PrepareLight(vtkSoftShadowContext& context, int layer)
       {
         this->PrepareVisibility(context);
       }
+      if (vtkShadowFailures::IsFailing())
+      {
+        return;
+      }
       ++context.Part;
     }
   }
@@ -148,7 +170,10 @@ void vtkSoftShadowPass::EstimateLight(vtkSoftShadowContext& context, int layer)
   Internals& impl = *this->Impl;
   impl.Timers.BeginStep("visibility");
   vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
-  impl.Target.BeginLight(context.Window, layer);
+  if (!impl.Target.BeginLight(context.Window, layer))
+  {
+    return;
+  }
   context.Part = 0;
   for (size_t f = 0; f < maps.GetFaces().size(); ++f)
   {
@@ -162,7 +187,7 @@ void vtkSoftShadowPass::EstimateLight(vtkSoftShadowContext& context, int layer)
     this->DrawMarks(context, face.HasCasters ? &face.View : nullptr);
     impl.Target.BeginFilter(context.Window);
     impl.CountNextDraw = true;
-    for (size_t p = 0; p < face.Parts.size(); ++p)
+    for (size_t p = 0; p < face.Parts.size() && !vtkShadowFailures::IsFailing(); ++p)
     {
       this->EstimatePart(context, layer, f, p);
       ++context.Part;
@@ -187,13 +212,13 @@ bool vtkSoftShadowPass::SelectPart(
   {
     int baked = 0;
     context.Layer =
-      maps.BakePart(context.Renderer, impl.Casters, faceIndex, partIndex, this->GetEmitterMapSize(),
+      maps.BakePart(context.Renderer, impl.Casters, faceIndex, partIndex, this->GetLimitedMapSize(),
         this->NeedsConservativeMaps(), this->GetMapsPerBatch(), this->NeedsPyramid(), baked);
     context.Maps = maps.GetPartMaps();
     context.Pyramid = maps.GetPartPyramid();
     this->CountBakes(baked);
   }
-  return true;
+  return !vtkShadowFailures::IsFailing();
 }
 
 //------------------------------------------------------------------------------
@@ -235,7 +260,7 @@ void vtkSoftShadowPass::DrawMarks(const vtkSoftShadowContext& context, const vtk
   vtkShadowTextureArray* pyramid = context.Pyramid->GetTexture();
   if (proof != PROVES_NOTHING)
   {
-    this->SetMapUniforms(program, context, *view, this->GetEmitterMapSize());
+    this->SetMapUniforms(program, context, *view, this->GetLimitedMapSize());
     program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
   }
   program->SetUniformi("depthPyramid", pyramid->Activate(context.Window));
@@ -372,9 +397,10 @@ bool vtkSoftShadowPass::ExceedsMapMemory(vtkTypeInt64 bytes) const
 //------------------------------------------------------------------------------
 size_t vtkSoftShadowPass::GetMapsPerBatch() const
 {
-  const auto size = static_cast<size_t>(this->GetEmitterMapSize());
+  const auto size = static_cast<size_t>(this->GetLimitedMapSize());
   const size_t bytes = size * size * 4;
-  return std::max<size_t>((static_cast<size_t>(this->MapMemory) << 20) / bytes, 1);
+  const size_t fitting = std::max<size_t>((static_cast<size_t>(this->MapMemory) << 20) / bytes, 1);
+  return std::min(fitting, static_cast<size_t>(vtkShadowLimits::GetTextureLayers()));
 }
 
 //------------------------------------------------------------------------------

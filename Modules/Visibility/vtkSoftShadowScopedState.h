@@ -10,18 +10,38 @@
 #ifndef vtkSoftShadowScopedState_h
 #define vtkSoftShadowScopedState_h
 
+#include "vtkOpenGLRenderWindow.h" // For the state
 #include "vtkOpenGLState.h"        // For scopes
+#include "vtkShadowScopedState.h"  // For what vtkOpenGLState does not know
+#include "vtkShadowTextureUnit.h"  // For the unit
 #include "vtkSoftShadowsABI.h"     // For the ABI namespace
 #include "vtkSoftShadowsOpenGL.h"  // For constants
-#include "vtkTextureUnitManager.h" // For the unit
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkSoftShadowScopedState
 {
 public:
+  explicit vtkSoftShadowScopedState(vtkOpenGLRenderWindow* window)
+    : vtkSoftShadowScopedState(window->GetState())
+  {
+    this->FreeUnit = this->Unit.Reserve(window);
+  }
+  ~vtkSoftShadowScopedState()
+  {
+    this->Unit.Release();
+    this->State->vtkglClearDepth(this->ClearDepth);
+  }
+  vtkSoftShadowScopedState(const vtkSoftShadowScopedState&) = delete;
+  vtkSoftShadowScopedState& operator=(const vtkSoftShadowScopedState&) = delete;
+
+  /// The unit; nothing is bound to it.
+  int GetFreeUnit() const { return this->FreeUnit; }
+
+private:
   explicit vtkSoftShadowScopedState(vtkOpenGLState* state)
     : State(state)
+    , Raster(state)
     , Viewport(state)
     , Scissor(state)
     , ClearColor(state)
@@ -34,24 +54,13 @@ public:
     , DepthTest(state, GL_DEPTH_TEST)
     , CullFace(state, GL_CULL_FACE)
     , ScissorTest(state, GL_SCISSOR_TEST)
-    , FreeUnit(state->GetTextureUnitManager()->Allocate())
   {
     glGetDoublev(GL_DEPTH_CLEAR_VALUE, &this->ClearDepth);
   }
-  ~vtkSoftShadowScopedState()
-  {
-    this->State->GetTextureUnitManager()->Free(this->FreeUnit);
-    this->State->vtkglClearDepth(this->ClearDepth);
-  }
-  vtkSoftShadowScopedState(const vtkSoftShadowScopedState&) = delete;
-  vtkSoftShadowScopedState& operator=(const vtkSoftShadowScopedState&) = delete;
 
-  /// The unit; nothing is bound to it.
-  int GetFreeUnit() const { return this->FreeUnit; }
-
-private:
   vtkOpenGLState* State;
   double ClearDepth = 1.0;
+  vtkShadowScopedRaster Raster;
   vtkOpenGLState::ScopedglViewport Viewport;
   vtkOpenGLState::ScopedglScissor Scissor;
   vtkOpenGLState::ScopedglClearColor ClearColor;
@@ -64,7 +73,8 @@ private:
   vtkOpenGLState::ScopedglEnableDisable DepthTest;
   vtkOpenGLState::ScopedglEnableDisable CullFace;
   vtkOpenGLState::ScopedglEnableDisable ScissorTest;
-  int FreeUnit;
+  vtkShadowTextureUnit Unit;
+  int FreeUnit = 0;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -22,16 +22,15 @@ bool vtkSoftShadowScreen::Begin(
   {
     return false;
   }
-  if (!this->Framebuffer)
-  {
-    glGenFramebuffers(1, &this->Framebuffer);
-  }
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, marks);
+  this->Framebuffer.Bind(window);
+  vtkShadowFramebuffer::AttachDepthBuffer(marks);
   this->Textures[texture]->AttachLayer(0);
-  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
-  state->vtkglViewport(0, 0, width, height);
+  vtkShadowFramebuffer::SetDrawBuffers(window, 1);
+  if (!vtkShadowFramebuffer::IsComplete())
+  {
+    return false;
+  }
+  window->GetState()->vtkglViewport(0, 0, width, height);
   const float none[4] = { -1.0f, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, none);
   return true;
@@ -69,10 +68,6 @@ void vtkSoftShadowScreen::ReleaseGraphicsResources(vtkWindow* window)
   {
     texture->ReleaseGraphicsResources(window);
   }
-  if (this->Framebuffer)
-  {
-    glDeleteFramebuffers(1, &this->Framebuffer);
-    this->Framebuffer = 0;
-  }
+  this->Framebuffer.Release();
 }
 VTK_ABI_NAMESPACE_END

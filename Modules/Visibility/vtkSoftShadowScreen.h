@@ -8,9 +8,10 @@
 #ifndef vtkSoftShadowScreen_h
 #define vtkSoftShadowScreen_h
 
-#include "vtkNew.h"            // For members
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
-#include "vtkType.h"           // For bytes
+#include "vtkNew.h"               // For members
+#include "vtkShadowFramebuffer.h" // For members
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
+#include "vtkType.h"              // For bytes
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -40,8 +41,7 @@ public:
   /**
    * Binds a texture of width x height texels for drawing, made or resized if need be, and clears it
    * to (-1, 0). marks, if not 0, is a depth renderbuffer of that size for the depth test. The
-   * caller restores framebuffer, viewport and scissor. False, with an error, if there is no such
-   * texture.
+   * caller restores framebuffer, viewport and scissor. False if there is no such texture.
    */
   bool Begin(
     vtkOpenGLRenderWindow* window, TextureName texture, int width, int height, unsigned int marks);
@@ -55,7 +55,7 @@ public:
 
 private:
   vtkNew<vtkShadowTextureArray> Textures[NUMBER_OF_TEXTURES];
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
 };
 
 VTK_ABI_NAMESPACE_END

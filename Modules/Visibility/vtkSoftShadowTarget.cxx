@@ -4,10 +4,12 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkShadowFailures.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 
 #include <algorithm>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
@@ -17,38 +19,62 @@ vtkSoftShadowTarget::vtkSoftShadowTarget() = default;
 vtkSoftShadowTarget::~vtkSoftShadowTarget() = default;
 
 //------------------------------------------------------------------------------
-bool vtkSoftShadowTarget::Allocate(vtkOpenGLRenderWindow* window, int width, int height, int layers)
+int vtkSoftShadowTarget::Allocate(vtkOpenGLRenderWindow* window, int width, int height, int layers)
 {
   const bool resize = this->Texture->GetWidth() != width || this->Texture->GetHeight() != height;
   if (!resize && this->Texture->GetLayers() >= layers)
   {
-    return false;
+    return 0;
   }
   const int count = resize ? layers : std::max(layers, this->Texture->GetLayers());
   if (!this->Texture->Allocate(window, vtkShadowTextureArray::R32F, width, height, count))
   {
-    return false;
+    return -1;
   }
-  if (!this->Framebuffer)
+  if (!this->AllocateMarks(width, height))
   {
-    glGenFramebuffers(1, &this->Framebuffer);
-    glGenRenderbuffers(1, &this->DepthBuffer);
+    this->Texture->ReleaseGraphicsResources(window); // one is of no use without the other
+    return -1;
   }
-  glBindRenderbuffer(GL_RENDERBUFFER, this->DepthBuffer);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-  glBindRenderbuffer(GL_RENDERBUFFER, 0);
-  return true;
+  return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowTarget::BeginLight(vtkOpenGLRenderWindow* window, int layer)
+bool vtkSoftShadowTarget::AllocateMarks(int width, int height)
+{
+  if (!this->DepthBuffer)
+  {
+    glGenRenderbuffers(1, &this->DepthBuffer);
+  }
+  GLint bound = 0;
+  glGetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+  glBindRenderbuffer(GL_RENDERBUFFER, this->DepthBuffer);
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  const bool made = glGetError() == GL_NO_ERROR;
+  glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+  if (!made)
+  {
+    vtkShadowFailures::Report("no memory for a depth buffer of " + std::to_string(width) + " x " +
+      std::to_string(height) + " pixels");
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowTarget::BeginLight(vtkOpenGLRenderWindow* window, int layer)
 {
   vtkOpenGLState* state = window->GetState();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  glFramebufferRenderbuffer(
-    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, this->DepthBuffer);
+  this->Framebuffer.Bind(window);
+  vtkShadowFramebuffer::AttachDepthBuffer(this->DepthBuffer);
   this->Texture->AttachLayer(layer);
-  state->vtkglDrawBuffer(GL_COLOR_ATTACHMENT0);
+  vtkShadowFramebuffer::SetDrawBuffers(window, 1);
+  if (!vtkShadowFramebuffer::IsComplete())
+  {
+    return false;
+  }
   state->vtkglViewport(0, 0, this->Texture->GetWidth(), this->Texture->GetHeight());
   state->vtkglScissor(0, 0, this->Texture->GetWidth(), this->Texture->GetHeight());
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -59,6 +85,7 @@ void vtkSoftShadowTarget::BeginLight(vtkOpenGLRenderWindow* window, int layer)
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -90,11 +117,11 @@ vtkTypeInt64 vtkSoftShadowTarget::GetBytes() const
 void vtkSoftShadowTarget::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
-  if (this->Framebuffer)
+  this->Framebuffer.Release();
+  if (this->DepthBuffer)
   {
-    glDeleteFramebuffers(1, &this->Framebuffer);
     glDeleteRenderbuffers(1, &this->DepthBuffer);
-    this->Framebuffer = this->DepthBuffer = 0;
+    this->DepthBuffer = 0;
   }
 }
 VTK_ABI_NAMESPACE_END

@@ -13,9 +13,10 @@
 #ifndef vtkSoftShadowTarget_h
 #define vtkSoftShadowTarget_h
 
-#include "vtkNew.h"            // For members
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
-#include "vtkType.h"           // For vtkTypeInt64
+#include "vtkNew.h"               // For members
+#include "vtkShadowFramebuffer.h" // For members
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
+#include "vtkType.h"              // For vtkTypeInt64
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -30,11 +31,13 @@ public:
   vtkSoftShadowTarget(const vtkSoftShadowTarget&) = delete;
   vtkSoftShadowTarget& operator=(const vtkSoftShadowTarget&) = delete;
 
-  /// Returns true if something was allocated. The number of layers only grows.
-  bool Allocate(vtkOpenGLRenderWindow* window, int width, int height, int layers);
+  /**
+   * Returns the number of allocations, -1 if there is no memory. The number of layers only grows.
+   */
+  int Allocate(vtkOpenGLRenderWindow* window, int width, int height, int layers);
 
-  /// Binds the framebuffer with a light's layer and clears it to no value.
-  void BeginLight(vtkOpenGLRenderWindow* window, int layer);
+  /// Binds the framebuffer with a light's layer and clears it to no value. False if it has none.
+  bool BeginLight(vtkOpenGLRenderWindow* window, int layer);
 
   /// Clears the marks and lets them be drawn.
   void BeginMarks(vtkOpenGLRenderWindow* window);
@@ -51,8 +54,10 @@ public:
 
 private:
   vtkNew<vtkShadowTextureArray> Texture;
-  unsigned int Framebuffer = 0;
+  vtkShadowFramebuffer Framebuffer;
   unsigned int DepthBuffer = 0;
+
+  bool AllocateMarks(int width, int height);
 };
 
 VTK_ABI_NAMESPACE_END

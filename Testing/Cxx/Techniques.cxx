@@ -8,6 +8,7 @@
 #include "vtkMarchedSoftShadowPass.h"
 #include "vtkPercentageCloserSoftShadowPass.h"
 #include "vtkSampledSoftShadowPass.h"
+#include "vtkScreenSpaceSoftShadowPass.h"
 #include "vtkSeparableSoftShadowPass.h"
 #include "vtkVirtualSoftShadowPass.h"
 
@@ -96,6 +97,17 @@ vtkSmartPointer<vtkSoftShadowPass> MakeSeparable(Effort effort, Weights weights)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkSoftShadowPass> MakeScreenSpace(Effort effort, Weights weights)
+{
+  auto pass = vtkSmartPointer<vtkScreenSpaceSoftShadowPass>::New();
+  pass->SetMapSize(Choose(effort, 2048, 512, 512));
+  pass->SetSearchWidth(Choose(effort, 29, 17, 11));
+  pass->SetWeights(
+    weights == Weights::Gaussian ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN);
+  return pass;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkSoftShadowPass> MakeCascaded(Effort effort, Weights weights)
 {
   auto pass = vtkSmartPointer<vtkCascadedSoftShadowPass>::New();
@@ -166,6 +178,14 @@ const std::vector<Technique>& AllTechniques()
     { "AdaptiveSampled", MakeAdaptiveSampled, 0.02, 0.03, 1.0 / 16.0 },
     { "Virtual", MakeVirtual, 0.015, 0.03, 1.0 / 8.0, 0.0, true },
   };
+  return techniques;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Technique> EveryTechnique()
+{
+  std::vector<Technique> techniques = AllTechniques();
+  techniques.push_back({ "ScreenSpace", MakeScreenSpace, 1.0, 1.0, 1.0, 0.0, true });
   return techniques;
 }
 

@@ -53,6 +53,9 @@ struct Technique
 
 const std::vector<Technique>& AllTechniques();
 
+/// And those that are rivals of a paper with errors of their own: for tests that judge no error.
+std::vector<Technique> EveryTechnique();
+
 /// GoogleTest prints a parameter with it.
 std::ostream& operator<<(std::ostream& os, const Technique& technique);
 

@@ -54,6 +54,23 @@ const NamedState Numbers[] = {
   { "pack alignment", GL_PACK_ALIGNMENT, 1 },
   { "unpack alignment", GL_UNPACK_ALIGNMENT, 1 },
   { "line width", GL_LINE_WIDTH, 1 },
+  { "point size", GL_POINT_SIZE, 1 },
+  { "polygon mode", GL_POLYGON_MODE, 1 },
+  { "provoking vertex", GL_PROVOKING_VERTEX, 1 },
+  { "renderbuffer", GL_RENDERBUFFER_BINDING, 1 },
+  { "uniform buffer", GL_UNIFORM_BUFFER_BINDING, 1 },
+  { "pack row length", GL_PACK_ROW_LENGTH, 1 },
+  { "pack skip pixels", GL_PACK_SKIP_PIXELS, 1 },
+  { "unpack row length", GL_UNPACK_ROW_LENGTH, 1 },
+  { "unpack skip rows", GL_UNPACK_SKIP_ROWS, 1 },
+  { "clear stencil", GL_STENCIL_CLEAR_VALUE, 1 },
+  { "stencil function", GL_STENCIL_FUNC, 1 },
+  { "stencil reference", GL_STENCIL_REF, 1 },
+  { "stencil value mask", GL_STENCIL_VALUE_MASK, 1 },
+  { "stencil write mask", GL_STENCIL_WRITEMASK, 1 },
+  { "stencil fail", GL_STENCIL_FAIL, 1 },
+  { "stencil depth fail", GL_STENCIL_PASS_DEPTH_FAIL, 1 },
+  { "stencil depth pass", GL_STENCIL_PASS_DEPTH_PASS, 1 },
 };
 
 // What can be read with glIsEnabled. The first Cached of them VTK keeps as well.

@@ -12,6 +12,7 @@ flat out vec4 wish; // texel sizes, and minus the half extents of the kernel in 
 
 void main()
 {
+  gl_PointSize = 1.0;
   ivec3 pixel = ivec3(gl_VertexID % screenWidth, gl_VertexID / screenWidth, 0);
   vec4 shape = texelFetch(kernelShapes, pixel, 0);
   vec4 prediction = texelFetch(predictions, pixel, 0);
