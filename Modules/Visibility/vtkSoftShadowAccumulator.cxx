@@ -14,6 +14,7 @@
 #include "vtkSoftShadowTilesFS.h"
 
 #include <string>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
@@ -21,6 +22,10 @@ vtkSoftShadowAccumulator::vtkSoftShadowAccumulator()
   : MixShader(vtkSoftShadowMixFS)
   , TilesShader(vtkSoftShadowTilesFS)
 {
+  for (auto& texture : this->Textures)
+  {
+    texture = vtkSmartPointer<vtkShadowTextureArray>::New();
+  }
   const vtkShadowShader::Definitions definitions = { { "SOFT_SHADOW_TILE",
     std::to_string(TileSize) } };
   this->TilesShader.SetDefinitions(definitions);
@@ -117,6 +122,19 @@ void vtkSoftShadowAccumulator::Hold(vtkOpenGLRenderWindow* window, int layer, fl
 }
 
 //------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::HoldHalf(vtkOpenGLRenderWindow* window, int layer, float scale)
+{
+  this->Mix(
+    window, this->Textures[HALF], this->Textures[BASE], this->Textures[SUM], layer, 0.0f, scale);
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::KeepHalves()
+{
+  std::swap(this->Textures[HALF], this->Textures[HELD_HALF]);
+}
+
+//------------------------------------------------------------------------------
 void vtkSoftShadowAccumulator::Show(vtkOpenGLRenderWindow* window,
   vtkShadowTextureArray* visibility, int layer, float share, float scale, bool fromHeld)
 {
@@ -149,8 +167,8 @@ void vtkSoftShadowAccumulator::Mix(vtkOpenGLRenderWindow* window, vtkShadowTextu
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> vtkSoftShadowAccumulator::ReadChanges(
-  vtkOpenGLRenderWindow* window, vtkShadowReceivers* receivers, int layer, float scale)
+std::vector<float> vtkSoftShadowAccumulator::ReadChanges(vtkOpenGLRenderWindow* window,
+  vtkShadowReceivers* receivers, int layer, float scale, ChangeType change)
 {
   if (!this->Bind(window, this->Tiles, layer) || !this->TilesShader.Use(window))
   {
@@ -160,13 +178,26 @@ std::vector<float> vtkSoftShadowAccumulator::ReadChanges(
   receivers->Activate(program);
   program->SetUniformf("share", scale);
   program->SetUniformf("layer", static_cast<float>(layer));
-  program->SetUniformi("base", this->Textures[BASE]->Activate());
-  program->SetUniformi("sum", this->Textures[SUM]->Activate());
-  program->SetUniformi("held", this->Textures[HELD]->Activate());
-  this->TilesShader.Draw();
-  for (const auto& texture : this->Textures)
+  program->SetUniformi("commonOnly", change == COMMON ? 1 : 0);
+  // All change has no halves, but a sampler has to have something to read.
+  const bool halves = change == COMMON;
+  const int names[NUMBER_OF_TEXTURES] = { BASE, SUM, HELD, halves ? HALF : SUM,
+    halves ? HELD_HALF : HELD };
+  const char* const samplers[NUMBER_OF_TEXTURES] = { "base", "sum", "held", "halfMean",
+    "heldHalfMean" };
+  int units[NUMBER_OF_TEXTURES];
+  for (int i = 0; i < NUMBER_OF_TEXTURES; ++i)
   {
-    texture->Deactivate();
+    units[i] = names[i] == i ? this->Textures[i]->Activate() : units[names[i]];
+    program->SetUniformi(samplers[i], units[i]);
+  }
+  this->TilesShader.Draw();
+  for (int i = 0; i < NUMBER_OF_TEXTURES; ++i)
+  {
+    if (names[i] == i)
+    {
+      this->Textures[i]->Deactivate();
+    }
   }
   receivers->Deactivate();
   return this->Tiles->ReadLayer(layer);
@@ -187,6 +218,13 @@ vtkTypeInt64 vtkSoftShadowAccumulator::GetBytes() const
 int vtkSoftShadowAccumulator::GetNumberOfBuilds() const
 {
   return this->MixShader.GetNumberOfBuilds() + this->TilesShader.GetNumberOfBuilds();
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowAccumulator::ReleaseHalves(vtkWindow* window)
+{
+  this->Textures[HALF]->ReleaseGraphicsResources(window);
+  this->Textures[HELD_HALF]->ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------

@@ -7,7 +7,9 @@
  * A layer per casting light, the viewport's size, 32-bit floats:
  *  - base: the technique's own visibility, with which it all starts; negative where there is none;
  *  - sum: of the hard shadows from points, times their weights;
- *  - held: an earlier mean to compare with.
+ *  - held: an earlier mean to compare with;
+ *  - half, held half: the means of the first half of the points of sum and held, while maps are
+ *    compared.
  */
 
 #ifndef vtkSoftShadowAccumulator_h
@@ -16,6 +18,7 @@
 #include "vtkNew.h"               // For members
 #include "vtkShadowFramebuffer.h" // For members
 #include "vtkShadowShader.h"      // For shaders
+#include "vtkSmartPointer.h"      // For members
 #include "vtkSoftShadowsABI.h"    // For the ABI namespace
 #include "vtkType.h"              // For vtkTypeInt64
 
@@ -53,17 +56,33 @@ public:
   /// Copies the mean, scale times the sum, to held.
   void Hold(vtkOpenGLRenderWindow* window, int layer, float scale);
 
+  /// Copies the mean to half.
+  void HoldHalf(vtkOpenGLRenderWindow* window, int layer, float scale);
+
+  /// Of all lights, half becomes held half; what was there is to be written anew.
+  void KeepHalves();
+
+  /// Frees half and held half.
+  void ReleaseHalves(vtkWindow* window);
+
   /// Writes (1 - share) rest + share * scale * sum to the visibilities; the rest is held or base.
   void Show(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* visibility, int layer,
     float share, float scale, bool fromHeld);
 
+  /// What of the change of the mean is measured.
+  enum ChangeType
+  {
+    ALL = 0,   ///< its square: what is by chance and what is not
+    COMMON = 1 ///< the product of both halves' changes, whose mean is the square without chance
+  };
+
   /**
-   * Per tile, the mean square of scale * sum - held over pixels that are not at silhouettes (1 / depth
-   * differs by more than one percent from the mean of two opposite neighbours', or one of these shows
-   * no surface). Waits for the GPU; a value per 1024 pixels.
+   * Per tile, the mean of the change of the mean, scale * sum - held, over pixels that are not at
+   * silhouettes (1 / depth differs by more than one percent from the mean of two opposite neighbours',
+   * or one of these shows no surface). Waits for the GPU; a value per 1024 pixels.
    */
-  std::vector<float> ReadChanges(
-    vtkOpenGLRenderWindow* window, vtkShadowReceivers* receivers, int layer, float scale);
+  std::vector<float> ReadChanges(vtkOpenGLRenderWindow* window, vtkShadowReceivers* receivers,
+    int layer, float scale, ChangeType change);
 
   vtkTypeInt64 GetBytes() const;
   int GetNumberOfBuilds() const;
@@ -78,10 +97,13 @@ private:
   {
     BASE = 0,
     SUM = 1,
-    HELD = 2
+    HELD = 2,
+    HALF = 3,
+    HELD_HALF = 4,
+    NUMBER_OF_TEXTURES = 5
   };
 
-  vtkNew<vtkShadowTextureArray> Textures[3];
+  vtkSmartPointer<vtkShadowTextureArray> Textures[NUMBER_OF_TEXTURES];
   vtkNew<vtkShadowTextureArray> Tiles;
   vtkShadowShader MixShader;
   vtkShadowShader TilesShader;

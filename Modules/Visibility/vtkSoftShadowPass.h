@@ -190,7 +190,7 @@ public:
   /**
    * Whether another frame would improve the picture, as of the last one. False once converged, and also
    * where no number of points can reach the tolerance because the maps, which grow to MapMemory and at
-   * most 4096 texels, are too coarse for it.
+   * most 8192 texels, are too coarse for it.
    */
   bool GetRefining() const;
 
@@ -200,6 +200,9 @@ public:
    * which surface is seen. 1 before it is known.
    */
   double GetEstimatedError() const;
+
+  /// Whether progressive mode goes on, or why it ended: a sentence with the figures of the last frame.
+  std::string GetProgressReport() const;
 
   enum EventType
   {

@@ -27,7 +27,7 @@ namespace
 // The largest map that memory and the driver allow; finer ones cost more than they gain.
 int FindLargestMap(int memory)
 {
-  const int largest = std::min(vtkShadowLimits::GetTextureSize(), 4096);
+  const int largest = std::min(vtkShadowLimits::GetTextureSize(), 8192);
   vtkTypeInt64 size = 32;
   while (
     2 * size <= largest && 4 * (2 * size) * (2 * size) <= static_cast<vtkTypeInt64>(memory) << 20)
@@ -55,6 +55,12 @@ bool vtkSoftShadowPass::GetRefining() const
 double vtkSoftShadowPass::GetEstimatedError() const
 {
   return this->Impl->Schedule.GetEstimatedError();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSoftShadowPass::GetProgressReport() const
+{
+  return this->Progressive ? this->Impl->Schedule.Describe() : "progressive mode is off";
 }
 
 //------------------------------------------------------------------------------
@@ -145,6 +151,13 @@ void vtkSoftShadowPass::AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow
     {
       this->LookAtMean(window);
     }
+    else if (schedule.IsHalfway())
+    {
+      for (int layer = 0; layer < impl.Statistics.LightsCasting; ++layer)
+      {
+        impl.Accumulator.HoldHalf(window, layer, impl.GetMeanScale(layer));
+      }
+    }
   }
 }
 
@@ -222,11 +235,17 @@ void vtkSoftShadowPass::LookAtMean(vtkOpenGLRenderWindow* window)
 {
   Internals& impl = *this->Impl;
   const int layers = impl.Statistics.LightsCasting;
+  const bool maps = impl.Schedule.ComparesMaps();
   std::vector<float> changes;
   for (int layer = 0; layer < layers && impl.Schedule.NeedsTiles(); ++layer)
   {
-    const std::vector<float> tiles =
-      impl.Accumulator.ReadChanges(window, impl.Receivers, layer, impl.GetMeanScale(layer));
+    std::vector<float> tiles =
+      impl.Accumulator.ReadChanges(window, impl.Receivers, layer, impl.GetMeanScale(layer),
+        maps ? vtkSoftShadowAccumulator::COMMON : vtkSoftShadowAccumulator::ALL);
+    const bool hard = !impl.Maps[layer]->GetFaces().front().Emitter.HasExtent();
+    std::transform(tiles.begin(), tiles.end(), tiles.begin(),
+      [maps, hard](float tile)
+      { return maps && hard ? vtkSoftShadowSchedule::HardShare * tile : tile; });
     changes.insert(changes.end(), tiles.begin(), tiles.end());
   }
   const vtkSoftShadowSchedule::NextType next = impl.Schedule.Look(changes);
@@ -241,7 +260,12 @@ void vtkSoftShadowPass::LookAtMean(vtkOpenGLRenderWindow* window)
   }
   if (next == vtkSoftShadowSchedule::HOLD_AND_CLEAR)
   {
+    impl.Accumulator.KeepHalves();
     this->ClearMean(window);
+  }
+  if (!impl.Schedule.ComparesMaps())
+  {
+    impl.Accumulator.ReleaseHalves(window);
   }
 }
 

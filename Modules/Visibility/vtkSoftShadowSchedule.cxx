@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-// r / (1 - r), squared, for r = 0.6: what is left of the maps' error after one more doubling's gain.
-constexpr float FloorFactor = 2.25f;
+// r / (1 - r), squared, for r = 0.55: what is left of the maps' error after one more doubling's gain.
+constexpr float FloorFactor = 1.5f;
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -27,6 +28,44 @@ void vtkSoftShadowSchedule::Finish(bool converged)
   this->Converged = converged;
   this->Exhausted = this->Failed = !converged;
   this->EstimatedError = converged ? 0.0 : 1.0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSoftShadowSchedule::Describe() const
+{
+  std::ostringstream text;
+  text.precision(3);
+  if (!this->IsStarted() && !this->IsEnded())
+  {
+    text << "not started";
+  }
+  else if (this->Failed)
+  {
+    text << "there is no memory for a mean";
+  }
+  else if (!this->IsStarted())
+  {
+    text << "converged: nothing casts a shadow";
+  }
+  else
+  {
+    text << (this->Converged      ? "converged"
+                : this->Exhausted ? "not converged"
+                                  : "goes on")
+         << ": estimated error " << this->EstimatedError << " after " << this->Count
+         << " points with maps of " << this->MapSize << " texels";
+    if (this->Exhausted && this->MapError > this->Tolerance)
+    {
+      text << ", whose texels alone leave " << this->MapError
+           << (this->Lost ? "; there is no memory for larger maps"
+                          : "; no larger maps are allowed");
+    }
+    else if (this->Exhausted)
+    {
+      text << ", the most points";
+    }
+  }
+  return text.str();
 }
 
 //------------------------------------------------------------------------------
@@ -61,7 +100,9 @@ float vtkSoftShadowSchedule::GetShare() const
 //------------------------------------------------------------------------------
 int vtkSoftShadowSchedule::GetRun(int most) const
 {
-  return std::min(most, this->Goal - this->Count);
+  constexpr int half = FirstPoints / 2;
+  const int next = this->ComparesMaps() && this->Count < half ? half : this->Goal;
+  return std::min(most, next - this->Count);
 }
 
 //------------------------------------------------------------------------------
@@ -89,7 +130,7 @@ vtkSoftShadowSchedule::NextType vtkSoftShadowSchedule::LookAtMaps(const std::vec
 {
   this->Floor.resize(changes.size());
   std::transform(changes.begin(), changes.end(), this->Floor.begin(),
-    [](float change) { return FloorFactor * change; });
+    [](float change) { return FloorFactor * std::max(change, 0.0f); }); // a mean of products
   const float worst =
     this->Floor.empty() ? 0.0f : *std::max_element(this->Floor.begin(), this->Floor.end());
   if (std::sqrt(worst) > 0.5 * this->Tolerance && 2 * this->MapSize <= this->LargestMapSize)
@@ -118,8 +159,9 @@ vtkSoftShadowSchedule::NextType vtkSoftShadowSchedule::LookAtPoints(
     worstFloor = std::max(worstFloor, this->Floor[i]);
   }
   this->EstimatedError = std::sqrt(worst);
+  this->MapError = std::sqrt(worstFloor);
   this->Converged = this->EstimatedError <= this->Tolerance;
-  const bool hopeless = std::sqrt(worstFloor) > this->Tolerance && 16.0f * worstChange < worstFloor;
+  const bool hopeless = this->MapError > this->Tolerance && 16.0f * worstChange < worstFloor;
   this->Exhausted = !this->Converged && (hopeless || this->Count >= MostPoints);
   this->Goal *= 2;
   return this->IsEnded() ? END : HOLD;

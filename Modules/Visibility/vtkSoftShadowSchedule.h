@@ -7,9 +7,11 @@
  * The mean over points of the light with a hard shadow each converges to the truth, whatever the
  * technique, but for the texels of the maps. Two errors are estimated per tile of the screen:
  *  - of the maps: the mean of the first 64 points is drawn with maps of half the size and of the full
- *    size. Where the error falls by the factor r per doubling, what is left is r / (1 - r) of the
- *    difference; r was 0.6 in measurements. While this is over half the tolerance and memory allows
- *    it, maps of twice the size are taken.
+ *    size. Where texels fall is chance, another for each point: that averages out, and is in the error
+ *    of the points. What does not is common to both halves of the points; the mean product of their
+ *    differences is its square. Where it falls by the factor r per doubling, what is left is
+ *    r / (1 - r) of the difference; r is 0.55, a little over the half that a bias of texels makes. While this is over half the tolerance
+ *    and memory allows it, maps of twice the size are taken.
  *  - of the points: after 128, 256, 512, ... points the mean is compared with the one at half as many.
  *    The two halves are scrambled nets, as good as independent; half their difference, which is the
  *    change of the mean, is the standard error of the mean.
@@ -24,6 +26,7 @@
 
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
+#include <string> // For descriptions
 #include <vector> // For tiles
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -33,6 +36,13 @@ class vtkSoftShadowSchedule
 public:
   /// Points of the first means, which compare maps.
   static constexpr int FirstPoints = 64;
+  /**
+   * What the changes of a light without extent are multiplied by while maps are compared. All its points
+   * are one, and its errors are pixels on the wrong side of a hard edge: their number, which is the mean
+   * square, halves as maps double, and those of two sizes are not the same pixels. So a third of the
+   * difference's square is left, not the factor for what all points have in common.
+   */
+  static constexpr float HardShare = 2.0f / 9.0f;
   /// No more points than these.
   static constexpr int MostPoints = 65536;
 
@@ -54,6 +64,9 @@ public:
 
   bool IsEnded() const { return this->Converged || this->Exhausted; }
   bool IsConverged() const { return this->Converged; }
+
+  /// Whether it goes on, or why it ended: a sentence with its figures.
+  std::string Describe() const;
 
   /// Texels along an edge of the maps of the next points.
   int GetMapSize() const { return this->MapSize; }
@@ -77,8 +90,14 @@ public:
   /// Counts points that were drawn. True if the mean is to be looked at now.
   bool Advance(int points);
 
+  /// Whether the mean of half the points is to be kept now, for the look that compares maps.
+  bool IsHalfway() const { return !this->HasFloor && this->Count == FirstPoints / 2; }
+
   /// Whether the look needs tiles, or there is no mean to compare with yet.
   bool NeedsTiles() const { return !this->Probing; }
+
+  /// Whether it compares maps, by what is common to both halves of the points.
+  bool ComparesMaps() const { return !this->HasFloor; }
 
   /// What to do with the mean after a look.
   enum NextType
@@ -88,7 +107,8 @@ public:
     HOLD_AND_CLEAR ///< Keep a copy to compare with, and begin the sum anew.
   };
 
-  /// changes: per tile the mean square of the difference to the copy that is held.
+  /// changes: per tile the mean square of the difference to the copy that is held; of the common
+  /// one while maps are compared.
   NextType Look(const std::vector<float>& changes);
 
 private:
@@ -105,6 +125,7 @@ private:
   bool Converged = false;
   bool Exhausted = false;
   double EstimatedError = 1.0;
+  double MapError = 0.0;    // of the worst tile, of the maps alone
   std::vector<float> Floor; // of the maps: mean squares per tile
 
   NextType LookAtMaps(const std::vector<float>& changes);

@@ -79,7 +79,8 @@ std::string ReportFrame(
   {
     report["converge"] = { { "tolerance", pass->GetProgressiveTolerance() },
       { "converged", pass->GetConverged() }, { "estimated_error", pass->GetEstimatedError() },
-      { "frames", statistics.Frames }, { "points", statistics.ProgressivePoints } };
+      { "frames", statistics.Frames }, { "points", statistics.ProgressivePoints },
+      { "report", pass->GetProgressReport() } };
   }
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -96,12 +96,6 @@ void Render(const RenderOptions& options)
   if (options.Converge > 0.0)
   {
     frame.Converge(options.Converge, options.Frames);
-    if (!pass->GetConverged())
-    {
-      std::cerr << "softshadow: not converged to " << options.Converge << " after "
-                << pass->GetStatistics().Frames << " frames; estimated error "
-                << pass->GetEstimatedError() << '\n';
-    }
   }
   else
   {
@@ -124,6 +118,12 @@ void Render(const RenderOptions& options)
       }
     });
   outputs.Commit();
+  if (options.Converge > 0.0 && !pass->GetConverged())
+  {
+    std::cerr << "softshadow: not converged to " << options.Converge << " after "
+              << pass->GetStatistics().Frames << " frames: " << pass->GetProgressReport() << '\n';
+    throw CLI::RuntimeError(ExitNotConverged);
+  }
 }
 
 }
@@ -148,8 +148,8 @@ void AddRenderCommand(CLI::App& app)
                               "Add points of the lights, frame by frame, until the estimated error "
                               "of the visibility's worst "
                               "tile of 32 x 32 pixels is under this; the report has the frames, "
-                              "the error and whether it came "
-                              "to pass")
+                              "the error and whether it "
+                              "converged; if it did not, files are written and the exit code is 2")
                             ->check(Number(0.0001, 1.0))
                             ->type_name("TOLERANCE");
   command->add_option("--converge-frames", options->Frames, "Frames at most, with --converge")

@@ -13,7 +13,11 @@
 namespace softshadows
 {
 
-/// Adds the command; parsing its arguments runs it. Throws std::runtime_error when it fails.
+/// The exit code of a run that wrote its files but did not meet the tolerance of --converge.
+constexpr int ExitNotConverged = 2;
+
+/// Adds the command; parsing its arguments runs it. Throws std::runtime_error when it fails, and
+/// CLI::RuntimeError with ExitNotConverged.
 void AddRenderCommand(CLI::App& app);
 
 }

@@ -55,6 +55,10 @@ int Run(int argc, char** argv)
   {
     app.parse(argc, argv); // runs the command
   }
+  catch (const CLI::RuntimeError& ended)
+  {
+    return ended.get_exit_code(); // a command's own verdict, which it has printed
+  }
   catch (const CLI::ParseError& error)
   {
     return app.exit(error) == EXIT_SUCCESS ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,8 +1,10 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Per tile of pixels, the mean square of the difference between two visibilities. Few pixels with a
-// value count as a quarter of the tile, so that a single one decides nothing. Pixels at silhouettes
+// Per tile of pixels, the mean square of the difference between two visibilities, or the mean product of
+// the differences of both halves of their points: what is by chance in one half is not in the other, so
+// that in the mean the square of what is common is left. Few pixels with a value count as a quarter of
+// the tile, so that a single one decides nothing. Pixels at silhouettes
 // are left out: which of two surfaces they show hangs on a hair, and no mean over a light tells.
 
 //SoftShadows::Include vtkShadowReceiver
@@ -10,8 +12,11 @@
 uniform sampler2DArray base; // negative: no value
 uniform sampler2DArray held;
 uniform sampler2DArray sum;
+uniform sampler2DArray halfMean; // means of the first halves of sum and held
+uniform sampler2DArray heldHalfMean;
 uniform float layer;
 uniform float share; // of the sum
+uniform bool commonOnly; // the product of the halves' changes
 
 // 1 / depth, which is an affine function of the pixel on any plane; 0 where there is no surface.
 float inverseDepth(ivec2 pixel)
@@ -57,7 +62,9 @@ void main()
       if (texelFetch(base, pixel, 0).r > -0.5 && !isSilhouette(pixel.xy, size))
       {
         float change = share * texelFetch(sum, pixel, 0).r - texelFetch(held, pixel, 0).r;
-        squares += change * change;
+        float first =
+          commonOnly ? texelFetch(halfMean, pixel, 0).r - texelFetch(heldHalfMean, pixel, 0).r : change;
+        squares += first * (2.0 * change - first);
         count += 1.0;
       }
     }
