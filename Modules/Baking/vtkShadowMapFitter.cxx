@@ -114,14 +114,18 @@ private:
   }
 
   // The part of a caster in front of which, seen from the receivers, the light is.
-  Part EffectivePart(std::size_t index) const
+  //
+  // Most often one large body, the same for many casters, takes the shadow of the whole caster: it is
+  // asked first, or thousands of flat casters would each ask thousands of bodies.
+  Part EffectivePart(std::size_t index)
   {
     const Body& caster = this->Bodies[index];
     const Part& part = this->Parts[index];
     const int side = caster.Flat ? vtkShadowSides::OfEmitter(caster, this->Emitter) : 0;
     Part shadowing;
-    for (std::size_t i = 0; i < this->Bodies.size(); ++i)
+    for (std::size_t step = 0; step <= this->Bodies.size(); ++step)
     {
+      const std::size_t i = step == 0 ? this->LastBehind : step - 1;
       const Part& behind = this->Parts[i];
       if (i == index || !this->Bodies[i].Receives || behind.Empty ||
         behind.Farthest <= part.Nearest ||
@@ -136,9 +140,14 @@ private:
       if (!IsEmpty(shared))
       {
         Unite(shadowing, { false, shared, part.Nearest, part.Farthest });
+        if (shadowing.Extent == part.Extent)
+        {
+          this->LastBehind = i;
+          return shadowing;
+        }
       }
     }
-    if (shadowing.Empty || shadowing.Extent == part.Extent)
+    if (shadowing.Empty)
     {
       return shadowing;
     }
@@ -149,6 +158,7 @@ private:
   const std::vector<Body>& Bodies;
   const vtkShadowEmitter& Emitter;
   std::vector<Part> Parts;
+  std::size_t LastBehind = 0; // that took the shadow of a whole caster
 };
 
 // Half the width of a cube's face at distance 1. What blocks a receiver within the face may lie
