@@ -77,6 +77,7 @@ public:
   vtkTypeInt64 DrawCalls = 0;
   vtkTypeInt64 Waits = 0; // of this frame, of the CPU for grids
   vtkTypeInt64 Late = 0;  // emitters of this frame whose grid is not its own
+  bool IsOwed = false;    // the picture is still late, data were asked for in between
   double Excess = 1.0;    // of late tiles, as of the newest request that told
 
   static const vtkShadowMapView& GetView(const vtkSoftShadowContext& context)

@@ -27,6 +27,7 @@ bool vtkVirtualSoftShadowPass::BeginVisibility(const vtkSoftShadowContext& conte
 {
   Internals& impl = *this->Impl;
   impl.State += context.Changed ? 1 : 0;
+  impl.IsOwed = context.IsData && (impl.IsOwed || impl.Late > 0);
   impl.Waits = impl.Late = 0;
   impl.IsRequested = false;
   for (size_t i = impl.Prepared.size(); i < impl.Screens.size(); ++i)
@@ -118,7 +119,7 @@ bool vtkVirtualSoftShadowPass::RequestTiles(const vtkSoftShadowContext& context,
     {
       this->LookBack(*emitters[i]);
     }
-    const bool serves = this->GridLatency > 0 && request.Serves(views[i]);
+    const bool serves = !context.IsData && this->GridLatency > 0 && request.Serves(views[i]);
     if (serves && request.IsOf(impl.State))
     {
       continue;
@@ -173,11 +174,13 @@ bool vtkVirtualSoftShadowPass::WantsVisibilityAnew()
 {
   const Internals& impl = *this->Impl;
   return this->Adaptive && this->GridLatency > 0 &&
-    std::any_of(impl.Emitters.begin(), impl.Emitters.end(),
-      [](const std::pair<const Internals::Key, vtkVirtualEmitterState>& emitter) {
-        return emitter.second.IsShown && emitter.second.IsLate &&
-          emitter.second.Request.HasArrived();
-      });
+    (impl.IsOwed ||
+      std::any_of(impl.Emitters.begin(), impl.Emitters.end(),
+        [](const std::pair<const Internals::Key, vtkVirtualEmitterState>& emitter)
+        {
+          return emitter.second.IsShown && emitter.second.IsLate &&
+            emitter.second.Request.HasArrived();
+        }));
 }
 
 //------------------------------------------------------------------------------

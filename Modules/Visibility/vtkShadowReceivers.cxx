@@ -47,6 +47,18 @@ void AllocateColor(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   texture->Allocate2D(width, height, 4, VTK_FLOAT);
 }
+// Four floats per pixel, bottom row first.
+std::vector<float> ReadColor(vtkTextureObject* texture)
+{
+  unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
+  vtkIdType increments[2] = { 0, 0 };
+  std::vector<float> values(4 * static_cast<size_t>(size[0]) * size[1]);
+  const vtkShadowScopedPixelStore pixelStore;
+  vtkSmartPointer<vtkPixelBufferObject> buffer;
+  buffer.TakeReference(texture->Download());
+  buffer->Download2D(VTK_FLOAT, values.data(), size, 4, increments);
+  return values;
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -65,8 +77,8 @@ int vtkShadowReceivers::Begin(vtkRenderer* renderer, int width, int height)
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   // A window that closes frees VTK's textures by itself.
-  const bool resize =
-    this->Width != width || this->Height != height || this->Positions->GetHandle() == 0;
+  const bool resize = this->Width != width || this->Height != height ||
+    this->Positions->GetHandle() == 0 || this->Smooth != (this->Surfaces->GetHandle() != 0);
   if (resize && !this->Allocate(window, width, height))
   {
     return -1;
@@ -75,7 +87,7 @@ int vtkShadowReceivers::Begin(vtkRenderer* renderer, int width, int height)
   // VTK's cache of draw buffers keeps all but the first from the framebuffer before (vtkSSAOPass draws
   // into three) and would leave out the call: first make it see a difference.
   state->vtkglDrawBuffer(GL_NONE);
-  this->Framebuffer->ActivateDrawBuffers(2);
+  this->Framebuffer->ActivateDrawBuffers(this->Smooth ? 3 : 2);
   if (resize && !vtkShadowFramebuffer::IsComplete())
   {
     this->ReleaseGraphicsResources(window);
@@ -93,6 +105,7 @@ int vtkShadowReceivers::Begin(vtkRenderer* renderer, int width, int height)
   state->vtkglClearDepth(1.0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
+  this->FoundSmooth = -1;
   vtkMatrix4x4* worldToView = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
   vtkMatrix4x4::Invert(worldToView->GetData(), this->ViewToWorld.data());
   return resize ? 1 : 0;
@@ -122,6 +135,11 @@ bool vtkShadowReceivers::Allocate(vtkOpenGLRenderWindow* window, int width, int 
   this->Framebuffer->AddColorAttachment(0, this->Positions);
   this->Framebuffer->AddColorAttachment(1, this->Normals);
   this->Framebuffer->AddDepthAttachment(this->Depth);
+  if (this->Smooth)
+  {
+    AllocateColor(this->Surfaces, window, width, height);
+    this->Framebuffer->AddColorAttachment(2, this->Surfaces);
+  }
   return true;
 }
 
@@ -139,6 +157,11 @@ void vtkShadowReceivers::Activate(vtkShaderProgram* program)
     this->PositionUnit.Bind(window, GL_TEXTURE_2D, this->Positions->GetHandle()));
   program->SetUniformi(
     "receiverNormal", this->NormalUnit.Bind(window, GL_TEXTURE_2D, this->Normals->GetHandle()));
+  // Where it is not read, the sampler gets another of its type.
+  vtkTextureObject* surfaces = this->Smooth ? this->Surfaces : this->Normals;
+  program->SetUniformi(
+    "receiverSurface", this->SurfaceUnit.Bind(window, GL_TEXTURE_2D, surfaces->GetHandle()));
+  program->SetUniformi("receiverSmooth", this->Smooth ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -146,12 +169,35 @@ void vtkShadowReceivers::Deactivate()
 {
   this->PositionUnit.Release();
   this->NormalUnit.Release();
+  this->SurfaceUnit.Release();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkShadowReceivers::GetBytes() const
 {
-  return static_cast<vtkTypeInt64>(this->Width) * this->Height * (16 + 16 + 4);
+  return static_cast<vtkTypeInt64>(this->Width) * this->Height *
+    (16 + 16 + 4 + (this->Surfaces->GetHandle() ? 16 : 0));
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowReceivers::HasSmooth()
+{
+  if (!this->Smooth || !this->Surfaces->GetHandle())
+  {
+    return false;
+  }
+  if (this->FoundSmooth < 0)
+  {
+    this->FoundSmooth = 0;
+    const std::vector<float> positions = ReadColor(this->Positions);
+    const std::vector<float> surfaces = ReadColor(this->Surfaces);
+    for (size_t i = 3; i < surfaces.size() && this->FoundSmooth == 0; i += 4)
+    {
+      // What is unlit writes anything.
+      this->FoundSmooth = positions[i] == VTK_SOFT_SHADOW_RECEIVES && surfaces[i] != 0.0f ? 1 : 0;
+    }
+  }
+  return this->FoundSmooth == 1;
 }
 
 //------------------------------------------------------------------------------
@@ -166,14 +212,7 @@ vtkSmartPointer<vtkImageData> vtkShadowReceivers::ReadDepth()
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* values = static_cast<float*>(image->GetScalarPointer());
   const size_t count = static_cast<size_t>(this->Width) * this->Height;
-  std::vector<float> positions(4 * count);
-  const vtkShadowScopedPixelStore pixelStore;
-  vtkSmartPointer<vtkPixelBufferObject> buffer;
-  buffer.TakeReference(this->Positions->Download());
-  unsigned int size[2] = { static_cast<unsigned int>(this->Width),
-    static_cast<unsigned int>(this->Height) };
-  vtkIdType increments[2] = { 0, 0 };
-  buffer->Download2D(VTK_FLOAT, positions.data(), size, 4, increments);
+  const std::vector<float> positions = ReadColor(this->Positions);
   for (size_t i = 0; i < count; ++i)
   {
     const float mark = positions[4 * i + 3];
@@ -189,6 +228,7 @@ void vtkShadowReceivers::ReleaseGraphicsResources(vtkWindow* window)
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Positions->ReleaseGraphicsResources(window);
   this->Normals->ReleaseGraphicsResources(window);
+  this->Surfaces->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);
   this->Width = this->Height = 0;
 }

@@ -47,6 +47,15 @@ public:
   void End(vtkRenderer* renderer);
 
   ///@{
+  /**
+   * Whether Begin is for smooth receivers too, and whether Activate gives them to the shaders: the plane
+   * of the smooth surface that the vertices' normals tell of, and its height above the triangle.
+   */
+  vtkSetMacro(Smooth, bool);
+  vtkGetMacro(Smooth, bool);
+  ///@}
+
+  ///@{
   /// Size in pixels.
   vtkGetMacro(Width, int);
   vtkGetMacro(Height, int);
@@ -67,6 +76,9 @@ public:
   /// Bytes of the textures.
   vtkTypeInt64 GetBytes() const;
 
+  /// Whether any of the smooth receivers is not on its triangle. Waits for the GPU, the first time.
+  bool HasSmooth();
+
   /// Linear view depth, float, NaN where there is no surface, bottom row first.
   vtkSmartPointer<vtkImageData> ReadDepth();
 
@@ -79,11 +91,15 @@ protected:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Positions;
   vtkNew<vtkTextureObject> Normals;
+  vtkNew<vtkTextureObject> Surfaces; // smooth: unit normal, and height above the triangle along it
   vtkNew<vtkTextureObject> Depth;
   vtkShadowTextureUnit PositionUnit;
   vtkShadowTextureUnit NormalUnit;
+  vtkShadowTextureUnit SurfaceUnit;
   int Width = 0;
   int Height = 0;
+  bool Smooth = false;
+  int FoundSmooth = -1; // what HasSmooth found; -1 if it was not asked
   std::array<double, 16> ViewToWorld;
 
 private:

@@ -8,16 +8,25 @@
 #include "vtkShadowCasters.h"
 #include "vtkShadowShader.h"
 
+#include "vtkSoftShadowMapperBend.h"
 #include "vtkSoftShadowMapperDec.h"
 #include "vtkSoftShadowMapperReceive.h"
+#include "vtkSoftShadowMapperSmooth.h"
 
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+const char* const BendMark = "//SoftShadows::Bend\n";
+const char* const SmoothMark = "//SoftShadows::Smooth\n";
 const char* const ReceiveMark = "//SoftShadows::Receive\n";
 const char* const ShadeMark = "//SoftShadows::Shade\n";
+
+bool Contains(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
 
 // Textures may discard fragments, behind the lights.
 bool HasTextures(vtkProp* prop)
@@ -42,10 +51,29 @@ std::string ShadeLights(const std::string& fragmentShader)
     code.append("#define ").append(color).append(" shadowed").append(number).append("\n");
   }
 }
+// What smooth receivers need, where vertices have normals.
+void PutBend(
+  std::string& vertexShader, const std::string& geometryShader, std::string& fragmentShader)
+{
+  // A geometry shader would have to hand it on.
+  const std::string normal = "out vec3 normalVCVSOutput;";
+  const bool bends = geometryShader.empty() && Contains(fragmentShader, SmoothMark) &&
+    Contains(vertexShader, BendMark) && Contains(vertexShader, normal.c_str()) &&
+    Contains(vertexShader, "out vec4 vertexVCVSOutput;");
+  vtkShaderProgram::Substitute(vertexShader, BendMark, bends ? vtkSoftShadowMapperBend : "", false);
+  vtkShaderProgram::Substitute(
+    fragmentShader, SmoothMark, bends ? vtkSoftShadowMapperSmooth : "", false);
+  if (bends)
+  {
+    vtkShaderProgram::Substitute(
+      vertexShader, normal, normal + "\nout vec4 softShadowBend;", false);
+  }
+}
 } // namespace
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowMapperHooks::PreReplace(std::string& fragmentShader, vtkProp* prop) const
+void vtkSoftShadowMapperHooks::PreReplace(
+  std::string& vertexShader, std::string& fragmentShader, vtkProp* prop) const
 {
   const size_t lights = std::max<size_t>(this->Layers.size(), 1);
   std::string declarations;
@@ -59,7 +87,9 @@ void vtkSoftShadowMapperHooks::PreReplace(std::string& fragmentShader, vtkProp* 
   const std::string picking = "//VTK::Picking::Impl";
   const bool late = HasTextures(prop);
   vtkShaderProgram::Substitute(
-    fragmentShader, "//VTK::Light::Dec", declarations + "//VTK::Light::Dec", false);
+    fragmentShader, "//VTK::Light::Dec", declarations + SmoothMark + "//VTK::Light::Dec", false);
+  const std::string position = "//VTK::PositionVC::Impl";
+  vtkShaderProgram::Substitute(vertexShader, position, position + "\n" + BendMark, false);
   vtkShaderProgram::Substitute(
     fragmentShader, light, (late ? "" : ReceiveMark) + std::string(ShadeMark) + light, false);
   if (late)
@@ -69,8 +99,10 @@ void vtkSoftShadowMapperHooks::PreReplace(std::string& fragmentShader, vtkProp* 
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSoftShadowMapperHooks::PostReplace(std::string& fragmentShader)
+std::string vtkSoftShadowMapperHooks::PostReplace(
+  std::string& vertexShader, const std::string& geometryShader, std::string& fragmentShader)
 {
+  PutBend(vertexShader, geometryShader, fragmentShader);
   // Surfaces that are not lit need no shadows.
   const bool usesLights = fragmentShader.find("lightColor") != std::string::npos;
   const bool isDeclared = fragmentShader.find("softShadowFactor(") != std::string::npos;
@@ -99,6 +131,10 @@ void vtkSoftShadowMapperHooks::SetUniforms(vtkShaderProgram* program, vtkProp* p
   program->SetUniformi("softShadowStage", this->Stage);
   program->SetUniformf("softShadowReceives",
     static_cast<float>(receives ? VTK_SOFT_SHADOW_RECEIVES : VTK_SOFT_SHADOW_SURFACE));
+  if (program->IsUniformUsed("softShadowSmooth"))
+  {
+    program->SetUniformi("softShadowSmooth", this->Smooth ? 1 : 0);
+  }
   if (program->IsUniformUsed("softShadowVisibility"))
   {
     program->SetUniform2i("softShadowOrigin", this->Origin);

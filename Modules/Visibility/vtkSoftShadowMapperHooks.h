@@ -11,6 +11,9 @@
  *     //VTK::Light::Dec        always                     declarations, then the mark
  *     //VTK::Light::Impl       always                     own marks Receive and Shade, then the mark
  *     //VTK::Picking::Impl     with textures              the mark, then own mark Receive
+ *     //VTK::PositionVC::Impl  of the vertex shader       the mark, then own mark Bend
+ *     own mark Bend            normals of vertices        writes what tells the smooth surface
+ *     own mark Smooth          the same                   finds the smooth surface
  *     own mark Receive         vertexVC (lit surfaces)    writes position and plane
  *     own mark Shade           uniform lightColor<i>      multiplies the light's colour
  */
@@ -35,17 +38,19 @@ public:
   int Stage = 0;
   int Origin[2] = { 0, 0 };
   int VisibilityUnit = 0;
+  bool Smooth = false;             // receivers on the surface that the vertices' normals tell of
   std::vector<int> Layers;         // per lit light, in the renderer's order
   std::vector<float> Attenuations; // per lit light: vtkLight::ShadowAttenuation, within [0, 1]
   ///@}
 
-  void PreReplace(std::string& fragmentShader, vtkProp* prop) const;
+  void PreReplace(std::string& vertexShader, std::string& fragmentShader, vtkProp* prop) const;
   /**
    * Puts in what the marks stand for. Returns what is wrong with a program that lights its surfaces but
    * has none of the marks that shadows need, as if VTK had renamed them: an end of a sentence, empty if
    * all is well.
    */
-  static std::string PostReplace(std::string& fragmentShader);
+  static std::string PostReplace(
+    std::string& vertexShader, const std::string& geometryShader, std::string& fragmentShader);
   void SetUniforms(vtkShaderProgram* program, vtkProp* prop) const;
 };
 

@@ -103,6 +103,7 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
   vtkOpenGLRenderWindow* window = GetWindow(s);
   impl.Watch.Enter(window); // one pass for two windows: nothing can move from one to the other
   const ScopedMapSize mapSize(this);
+  impl.Renderer = s->GetRenderer();
   vtkSoftShadowRendererDuties::UpdateStereo(s->GetRenderer());
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, impl.Viewport);
@@ -236,6 +237,13 @@ void vtkSoftShadowPass::EstimateVisibility(const vtkRenderState* s, bool changed
     impl.Watch.Enter(window);
   }
   impl.Schedule.Reset();
+  impl.Refinements = 0;
+  impl.Data.IsKnown = false;
+  if (!impl.Data.IsWanted)
+  {
+    impl.ReleaseData(GetWindow(s)); // nobody reads it any more
+  }
+  impl.Data.IsWanted = false;
   impl.HasNews = false; // of a mean that is thrown away
   if (!this->Progressive)
   {
@@ -380,6 +388,8 @@ void vtkSoftShadowPass::CountBakes(int maps)
 bool vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
 {
   Internals& impl = *this->Impl;
+  impl.Hooks.Smooth = this->SmoothTerminator;
+  impl.Receivers->SetSmooth(this->SmoothTerminator);
   const vtkShadowFailures failures;
   if (!HasTextureUnit(GetWindow(s)))
   {
@@ -410,7 +420,7 @@ void vtkSoftShadowPass::Shade(const vtkRenderState* s)
   Internals& impl = *this->Impl;
   impl.Hooks.Origin[0] = impl.Viewport[0];
   impl.Hooks.Origin[1] = impl.Viewport[1];
-  vtkShadowTextureArray* visibility = impl.Target.GetTexture();
+  vtkShadowTextureArray* visibility = impl.Target->GetTexture();
   const vtkOpenGLState::ScopedglActiveTexture activeTexture(GetWindow(s)->GetState());
   impl.Hooks.VisibilityUnit = visibility->Activate(GetWindow(s));
   impl.ShadingMappers.Clear();
@@ -429,19 +439,20 @@ void vtkSoftShadowPass::Shade(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-bool vtkSoftShadowPass::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkSoftShadowPass::PreReplaceShaderValues(std::string& vertexShader, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   ++this->Impl->Statistics.MapperShaderBuilds;
-  this->Impl->Hooks.PreReplace(fragmentShader, prop);
+  this->Impl->Hooks.PreReplace(vertexShader, fragmentShader, prop);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkSoftShadowPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkSoftShadowPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
-  const std::string problem = vtkSoftShadowMapperHooks::PostReplace(fragmentShader);
+  const std::string problem =
+    vtkSoftShadowMapperHooks::PostReplace(vertexShader, geometryShader, fragmentShader);
   const std::string name = mapper ? mapper->GetClassName() : "a mapper";
   if (!problem.empty() && this->Impl->ToldMappers.insert(name).second)
   {
@@ -485,14 +496,15 @@ void vtkSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& impl = *this->Impl;
   impl.Casters->ReleaseGraphicsResources(window);
   impl.Receivers->ReleaseGraphicsResources(window);
-  impl.Target.ReleaseGraphicsResources(window);
+  impl.Target->ReleaseGraphicsResources(window);
   impl.Timers.ReleaseGraphicsResources();
   impl.ProofShader.ReleaseGraphicsResources(window);
   impl.ConstantShader.ReleaseGraphicsResources(window);
   impl.PointShader.ReleaseGraphicsResources(window);
-  impl.Accumulator.ReleaseGraphicsResources(window);
+  impl.Accumulator->ReleaseGraphicsResources(window);
   impl.PointMaps->ReleaseGraphicsResources(window);
   impl.Schedule.Reset();
+  impl.ReleaseData(window);
   for (const auto& maps : impl.Maps)
   {
     maps->ReleaseGraphicsResources(window);
@@ -518,6 +530,7 @@ void vtkSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Progressive: " << (this->Progressive ? "on" : "off") << "\n";
   os << indent << "ProgressiveTolerance: " << this->ProgressiveTolerance << "\n";
   os << indent << "ProgressivePoints: " << this->ProgressivePoints << "\n";
+  os << indent << "SmoothTerminator: " << (this->SmoothTerminator ? "on" : "off") << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
 }
 VTK_ABI_NAMESPACE_END

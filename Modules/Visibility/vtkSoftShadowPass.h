@@ -77,6 +77,8 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
   vtkShadowEmitter Emitter;
   /// Whether anything that the visibility depends on changed; if not, the technique wanted it anew.
   bool Changed = true;
+  /// Whether it is for being read, not for the picture: to be as good as it gets, once.
+  bool IsData = false;
   /// If the technique wants a map from the emitter's centre: the maps, and the layer to look at.
   vtkShadowDepthMaps* Maps = nullptr;
   int Layer = 0;
@@ -184,6 +186,20 @@ public:
   vtkGetMacro(ProgressivePoints, int);
   ///@}
 
+  ///@{
+  /**
+   * Shades coarse bodies with smooth normals as the smooth bodies that they stand for: their receivers lie
+   * on the surface that the vertices' normals tell of, not on the triangles, of which those that turn away
+   * from the light would show as dark blocks along the terminator. For the picture alone:
+   * GetVisibilityImage gives the visibility of the triangles themselves, which is then estimated when it is
+   * read, once for as long as nothing changes. Flat shading, props without normals and edges across which
+   * normals turn by more than about 70 degrees stay as they are. Default is off.
+   */
+  vtkSetMacro(SmoothTerminator, bool);
+  vtkGetMacro(SmoothTerminator, bool);
+  vtkBooleanMacro(SmoothTerminator, bool);
+  ///@}
+
   /// Whether the estimated error of what is shown is under the tolerance, as of the last frame.
   bool GetConverged() const;
 
@@ -214,8 +230,8 @@ public:
   /**
    * The visibility of a light in the last frame: float, one component, the size of the viewport,
    * bottom row first. NaN where there is no surface, where the surface receives no shadow or is
-   * unlit, and outside the light's cone or behind it. Null if the light was not lit. Waits for the
-   * GPU and makes the context of the last frame's window current. Not wrapped: VTK 9.1 wraps no smart
+   * unlit, and outside the light's cone or behind it. Null if the light was not lit. With
+   * SmoothTerminator read it before the scene or its camera change. Waits for the GPU and makes the context of the last frame's window current. Not wrapped: VTK 9.1 wraps no smart
    * pointers.
    */
   VTK_WRAPEXCLUDE vtkSmartPointer<vtkImageData> GetVisibilityImage(vtkLight* light);
@@ -242,7 +258,7 @@ public:
   ///@{
   /**
    * The visibilities as a texture for other passes: R32F, a layer per casting light, negative where
-   * there is no value. GetVisibilityLayer is -1 for lights that cast nothing (visibility 1).
+   * there is no value: what the picture is shaded with. GetVisibilityLayer is -1 for lights that cast nothing (visibility 1).
    */
   vtkShadowTextureArray* GetVisibilityTexture();
   int GetVisibilityLayer(vtkLight* light) const;
@@ -405,6 +421,7 @@ protected:
   bool Progressive = false;
   double ProgressiveTolerance = 0.02;
   int ProgressivePoints = 4;
+  bool SmoothTerminator = false;
 
 private:
   vtkSoftShadowPass(const vtkSoftShadowPass&) = delete;
@@ -427,6 +444,7 @@ private:
   bool DrawReceivers(const vtkRenderState* s);
   void Shade(const vtkRenderState* s);
 
+  vtkShadowTextureArray* GetDataTexture();
   void EstimateLights(const vtkRenderState* s, bool changed);
   void PrepareLight(vtkSoftShadowContext& context, int layer);
   bool SelectPart(vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex);

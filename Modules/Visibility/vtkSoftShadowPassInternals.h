@@ -10,11 +10,13 @@
 
 #include "vtkNew.h" // For members
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowContextWatch.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
+#include "vtkSmartPointer.h"
 #include "vtkSoftShadowAccumulator.h"
 #include "vtkSoftShadowDrawnMappers.h"
 #include "vtkSoftShadowLightMaps.h"
@@ -25,6 +27,7 @@
 #include "vtkSoftShadowSignature.h"
 #include "vtkSoftShadowTarget.h"
 #include "vtkSoftShadowTimers.h"
+#include "vtkWeakPointer.h"
 
 #include "vtkSoftShadowConstantFS.h"
 #include "vtkSoftShadowPointFS.h"
@@ -42,6 +45,7 @@ class vtkSoftShadowPass::Internals
 public:
   explicit Internals(vtkSoftShadowPass* self)
     : Watch([self](vtkOpenGLRenderWindow* window) { self->ReleaseGraphicsResources(window); })
+    , PointMaps(vtkSmartPointer<vtkShadowDepthMaps>::New())
   {
   }
 
@@ -69,7 +73,7 @@ public:
 
   vtkNew<vtkShadowCasters> Casters;
   vtkNew<vtkShadowReceivers> Receivers;
-  vtkSoftShadowTarget Target;
+  std::unique_ptr<vtkSoftShadowTarget> Target{ new vtkSoftShadowTarget };
   vtkSoftShadowMapperHooks Hooks;
   vtkSoftShadowDrawnMappers ReceiverMappers; // of the visibility that is held
   vtkSoftShadowDrawnMappers ShadingMappers;
@@ -90,12 +94,39 @@ public:
 
   /// The running mean while nothing changes.
   vtkSoftShadowSchedule Schedule;
-  vtkSoftShadowAccumulator Accumulator;
-  vtkNew<vtkShadowDepthMaps> PointMaps; // of one point; sizes follow each other
-  std::vector<double> PointWeights;     // in the sum, per casting light
+  std::unique_ptr<vtkSoftShadowAccumulator> Accumulator{ new vtkSoftShadowAccumulator };
+  vtkSmartPointer<vtkShadowDepthMaps> PointMaps; // of one point; sizes follow each other
+  std::vector<double> PointWeights;              // in the sum, per casting light
   vtkShadowShader PointShader{ vtkSoftShadowPointFS };
+  int Refinements = 0;  // frames that added to it
   bool HasNews = false; // it has just converged
   bool WarnedOfRange = false;
+
+  /**
+   * What is read, where the picture is shaded with the visibility of smooth receivers: that of the
+   * triangles themselves. Its own target, mean and queries change places with the picture's while it is
+   * estimated.
+   */
+  struct DataEstimate
+  {
+    std::unique_ptr<vtkSoftShadowTarget> Target{ new vtkSoftShadowTarget };
+    vtkSoftShadowSchedule Schedule;
+    std::unique_ptr<vtkSoftShadowAccumulator> Accumulator{ new vtkSoftShadowAccumulator };
+    vtkSmartPointer<vtkShadowDepthMaps> PointMaps = vtkSmartPointer<vtkShadowDepthMaps>::New();
+    std::vector<double> PointWeights;
+    int Refinements = 0;
+    std::vector<unsigned int> Queries;
+    size_t UsedQueries = 0;
+    bool IsKnown = false;  // of the receivers at hand
+    bool IsWanted = false; // it was read since they were drawn
+  };
+  DataEstimate Data;
+  bool IsData = false;                  // it is what is being estimated
+  bool IsTechniqueMoved = false;        // a technique was last asked for data
+  vtkWeakPointer<vtkRenderer> Renderer; // of the last frame
+
+  void SwapData();
+  void ReleaseData(vtkWindow* window);
 
   /// What a light's sum is multiplied by to be a mean; 0 if there is none.
   float GetMeanScale(int layer) const

@@ -86,11 +86,12 @@ void vtkSoftShadowPass::Refine(const vtkRenderState* s)
     this->AddPoints(s, window);
     for (int layer = 0; layer < impl.Statistics.LightsCasting; ++layer)
     {
-      impl.Accumulator.Show(window, impl.Target.GetTexture(), layer, schedule.GetShare(),
+      impl.Accumulator->Show(window, impl.Target->GetTexture(), layer, schedule.GetShare(),
         impl.GetMeanScale(layer), schedule.IsHeldShown());
     }
   }
   ++impl.Statistics.ProgressiveFrames;
+  ++impl.Refinements;
   window->GetState()->PopFramebufferBindings();
   if (failures.HasAny())
   {
@@ -106,7 +107,7 @@ void vtkSoftShadowPass::Refine(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void vtkSoftShadowPass::ReleaseProgress(vtkOpenGLRenderWindow* window)
 {
-  this->Impl->Accumulator.ReleaseTextures(window);
+  this->Impl->Accumulator->ReleaseTextures(window);
   this->Impl->PointMaps->ReleaseGraphicsResources(window);
 }
 
@@ -114,7 +115,7 @@ void vtkSoftShadowPass::ReleaseProgress(vtkOpenGLRenderWindow* window)
 bool vtkSoftShadowPass::BeginProgress(vtkOpenGLRenderWindow* window)
 {
   Internals& impl = *this->Impl;
-  const int made = impl.Accumulator.Begin(window, impl.Target.GetTexture());
+  const int made = impl.Accumulator->Begin(window, impl.Target->GetTexture());
   if (made < 0)
   {
     impl.Schedule.Finish(false);
@@ -155,7 +156,7 @@ void vtkSoftShadowPass::AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow
     {
       for (int layer = 0; layer < impl.Statistics.LightsCasting; ++layer)
       {
-        impl.Accumulator.HoldHalf(window, layer, impl.GetMeanScale(layer));
+        impl.Accumulator->HoldHalf(window, layer, impl.GetMeanScale(layer));
       }
     }
   }
@@ -208,7 +209,7 @@ bool vtkSoftShadowPass::AddPoint(vtkSoftShadowContext& context, int layer, int i
       impl.Statistics.MapsBaked += baked;
       impl.Statistics.TexelsDrawn += static_cast<vtkTypeInt64>(baked) * mapSize * mapSize;
     }
-    if (!impl.Accumulator.BeginSum(context.Window, layer) || !impl.PointShader.Use(context.Window))
+    if (!impl.Accumulator->BeginSum(context.Window, layer) || !impl.PointShader.Use(context.Window))
     {
       return false;
     }
@@ -240,7 +241,7 @@ void vtkSoftShadowPass::LookAtMean(vtkOpenGLRenderWindow* window)
   for (int layer = 0; layer < layers && impl.Schedule.NeedsTiles(); ++layer)
   {
     std::vector<float> tiles =
-      impl.Accumulator.ReadChanges(window, impl.Receivers, layer, impl.GetMeanScale(layer),
+      impl.Accumulator->ReadChanges(window, impl.Receivers, layer, impl.GetMeanScale(layer),
         maps ? vtkSoftShadowAccumulator::COMMON : vtkSoftShadowAccumulator::ALL);
     const bool hard = !impl.Maps[layer]->GetFaces().front().Emitter.HasExtent();
     std::transform(tiles.begin(), tiles.end(), tiles.begin(),
@@ -256,23 +257,23 @@ void vtkSoftShadowPass::LookAtMean(vtkOpenGLRenderWindow* window)
   }
   for (int layer = 0; layer < layers; ++layer)
   {
-    impl.Accumulator.Hold(window, layer, impl.GetMeanScale(layer));
+    impl.Accumulator->Hold(window, layer, impl.GetMeanScale(layer));
   }
   if (next == vtkSoftShadowSchedule::HOLD_AND_CLEAR)
   {
-    impl.Accumulator.KeepHalves();
+    impl.Accumulator->KeepHalves();
     this->ClearMean(window);
   }
   if (!impl.Schedule.ComparesMaps())
   {
-    impl.Accumulator.ReleaseHalves(window);
+    impl.Accumulator->ReleaseHalves(window);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkSoftShadowPass::ClearMean(vtkOpenGLRenderWindow* window)
 {
-  this->Impl->Accumulator.Clear(window);
+  this->Impl->Accumulator->Clear(window);
   this->Impl->PointWeights.assign(this->Impl->Statistics.LightsCasting, 0.0);
 }
 

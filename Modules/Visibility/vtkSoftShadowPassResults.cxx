@@ -106,7 +106,7 @@ vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetVisibilityImage(int litLight
   impl.MakeCurrent();
   if (layer >= 0)
   {
-    vtkShadowTextureArray* texture = impl.Target.GetTexture();
+    vtkShadowTextureArray* texture = this->GetDataTexture();
     return texture->GetHandle() ? MakeImage(texture->ReadLayer(layer), width, height) : nullptr;
   }
   // A light that casts nothing reaches every surface.
@@ -142,7 +142,7 @@ bool vtkSoftShadowPass::GetDepthImage(vtkImageData* image)
 //------------------------------------------------------------------------------
 vtkShadowTextureArray* vtkSoftShadowPass::GetVisibilityTexture()
 {
-  return this->Impl->Target.GetTexture();
+  return this->Impl->Target->GetTexture();
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +176,9 @@ const vtkSoftShadowStatistics& vtkSoftShadowPass::GetStatistics()
   statistics.MapperCasters = impl.Casters->GetNumberOfMapperCasters();
   statistics.Triangles = impl.Casters->GetNumberOfTriangles();
   statistics.BytesHeld = impl.Casters->GetBytes() + impl.Receivers->GetBytes() +
-    impl.Target.GetBytes() + impl.Accumulator.GetBytes() + this->GetTechniqueBytes();
+    impl.Target->GetBytes() + impl.Accumulator->GetBytes() + impl.Data.Target->GetBytes() +
+    impl.Data.Accumulator->GetBytes() + impl.Data.PointMaps->GetTexture()->GetBytes() +
+    this->GetTechniqueBytes();
   vtkTypeInt64 drawCalls = this->GetTechniqueDrawCalls();
   for (const auto& maps : impl.Maps)
   {
@@ -187,7 +189,7 @@ const vtkSoftShadowStatistics& vtkSoftShadowPass::GetStatistics()
   statistics.DrawCalls = drawCalls + impl.PointMaps->GetNumberOfDrawCalls();
   statistics.ShaderBuilds = impl.ProofShader.GetNumberOfBuilds() +
     impl.ConstantShader.GetNumberOfBuilds() + impl.PointShader.GetNumberOfBuilds() +
-    impl.Accumulator.GetNumberOfBuilds() + this->GetTechniqueShaderBuilds();
+    impl.Accumulator->GetNumberOfBuilds() + this->GetTechniqueShaderBuilds();
   statistics.Milliseconds = impl.Timers.Collect();
   return statistics;
 }

@@ -73,8 +73,8 @@ void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s, bool changed)
   auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
   window->GetState()->PushFramebufferBindings();
   const vtkShadowFailures failures; // of what all lights need
-  const int made =
-    impl.Target.Allocate(window, impl.Viewport[2], impl.Viewport[3], impl.Statistics.LightsCasting);
+  const int made = impl.Target->Allocate(
+    window, impl.Viewport[2], impl.Viewport[3], impl.Statistics.LightsCasting);
   impl.Statistics.Allocations += std::max(made, 0);
   const vtkShadowMapFitter fitter(impl.Casters->GetBodies());
   vtkSoftShadowContext context;
@@ -83,8 +83,10 @@ void vtkSoftShadowPass::EstimateLights(const vtkRenderState* s, bool changed)
   context.Casters = impl.Casters;
   context.Fitter = &fitter;
   context.Receivers = impl.Receivers;
-  context.Marks = impl.Target.GetMarks();
-  context.Changed = changed;
+  context.Marks = impl.Target->GetMarks();
+  context.Changed = changed || impl.IsTechniqueMoved;
+  context.IsData = impl.IsData;
+  impl.IsTechniqueMoved = false;
   impl.UsedQueries = 0;
   const bool prepare = made >= 0 && this->BeginVisibility(context);
   if (failures.HasAny())
@@ -170,7 +172,7 @@ void vtkSoftShadowPass::EstimateLight(vtkSoftShadowContext& context, int layer)
   Internals& impl = *this->Impl;
   impl.Timers.BeginStep("visibility");
   vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
-  if (!impl.Target.BeginLight(context.Window, layer))
+  if (!impl.Target->BeginLight(context.Window, layer))
   {
     return;
   }
@@ -183,9 +185,9 @@ void vtkSoftShadowPass::EstimateLight(vtkSoftShadowContext& context, int layer)
     context.Maps = maps.GetFaceMaps();
     context.Pyramid = maps.GetFacePyramid();
     context.Layer = face.Layer;
-    impl.Target.BeginMarks(context.Window);
+    impl.Target->BeginMarks(context.Window);
     this->DrawMarks(context, face.HasCasters ? &face.View : nullptr);
-    impl.Target.BeginFilter(context.Window);
+    impl.Target->BeginFilter(context.Window);
     impl.CountNextDraw = true;
     for (size_t p = 0; p < face.Parts.size() && !vtkShadowFailures::IsFailing(); ++p)
     {

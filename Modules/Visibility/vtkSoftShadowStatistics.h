@@ -27,6 +27,8 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowStatistics
   vtkTypeInt64 VisibilityFrames = 0;
   /// Frames that added points to the running mean of progressive mode.
   vtkTypeInt64 ProgressiveFrames = 0;
+  /// Frames whose visibility was estimated once more because it was read, for SmoothTerminator.
+  vtkTypeInt64 DataFrames = 0;
   vtkTypeInt64 MapsBaked = 0;
   /// Texels of the maps that were baked.
   vtkTypeInt64 TexelsDrawn = 0;

@@ -3,6 +3,8 @@
 
 uniform sampler2D receiverPosition; // xyz: position Vs, w: SOFT_SHADOW_RECEIVES, ..._SURFACE or else
 uniform sampler2D receiverNormal;   // xyz: unit normal of the visible triangle's plane, Vs
+uniform sampler2D receiverSurface;  // the smooth surface: xyz: unit normal Vs, w: height over the triangle
+uniform int receiverSmooth;         // 1: receivers lie on the smooth surface
 
 struct Receiver
 {
@@ -10,10 +12,31 @@ struct Receiver
   vec3 normalVs; // towards the camera
 };
 
+// Position and mark at a place in [0, 1]^2 of the viewport.
+vec4 receiverAt(vec2 place)
+{
+  vec4 position = textureLod(receiverPosition, place, 0.0);
+  if (receiverSmooth == 1)
+  {
+    vec4 surface = textureLod(receiverSurface, place, 0.0);
+    position.xyz += surface.w * surface.xyz;
+  }
+  return position;
+}
+
 bool loadReceiver(ivec2 pixel, out Receiver receiver)
 {
   vec4 position = texelFetch(receiverPosition, pixel, 0);
   receiver.positionVs = position.xyz;
-  receiver.normalVs = texelFetch(receiverNormal, pixel, 0).xyz;
+  if (receiverSmooth == 1)
+  {
+    vec4 surface = texelFetch(receiverSurface, pixel, 0);
+    receiver.normalVs = surface.xyz;
+    receiver.positionVs += surface.w * surface.xyz;
+  }
+  else
+  {
+    receiver.normalVs = texelFetch(receiverNormal, pixel, 0).xyz;
+  }
   return position.w == SOFT_SHADOW_RECEIVES;
 }

@@ -95,8 +95,9 @@ void main()
       seen += share * range.x * other.y * vec2(other.x, 1.0);
       if (own.y < 1.0)
       {
-        vec3 normalVs = texelFetch(receiverNormal, tap, 0).xyz;
-        share *= dot(receiver.normalVs, normalVs) > planeCosine ? range.y : 0.0;
+        Receiver neighbour;
+        loadReceiver(tap, neighbour);
+        share *= dot(receiver.normalVs, neighbour.normalVs) > planeCosine ? range.y : 0.0;
         facing += share * vec2(other.y, 1.0);
       }
     }

@@ -35,7 +35,7 @@ float blur(Receiver receiver, vec2 center, vec2 halfExtent)
     {
       continue;
     }
-    vec4 other = textureLod(receiverPosition, pixel, 0.0);
+    vec4 other = receiverAt(pixel);
     float offPlane = dot(other.xyz - receiver.positionVs, receiver.normalVs) / spread;
     float share = exp(-0.5 * offPlane * offPlane) * (kernelGaussian == 1 ? exp(-2.0 * x * x) : 1.0);
     total += other.w == SOFT_SHADOW_RECEIVES ? share * vec2(visibilityAt(pixel), 1.0) : vec2(0.0);

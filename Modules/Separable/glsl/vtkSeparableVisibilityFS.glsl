@@ -32,7 +32,7 @@ bool canReuse(MapPoint point, Receiver receiver, vec2 pixel, vec4 other, vec2 ex
   if (reusePublished == 1)
   {
     // Distance along the camera's depth to the receiver's plane.
-    vec3 positionVs = textureLod(receiverPosition, pixel, 0.0).xyz;
+    vec3 positionVs = receiverAt(pixel).xyz;
     float away = abs(dot(positionVs - receiver.positionVs, receiver.normalVs));
     return away < reusePublishedLimits.y * abs(receiver.normalVs.z);
   }

@@ -6,7 +6,13 @@
     vec3 softShadowNormal = cross(normalize(softShadowX), normalize(softShadowY));
     float softShadowLength = length(softShadowNormal);
     gl_FragData[0] = vec4(vertexVC.xyz, softShadowReceives);
-    gl_FragData[1] = vec4(softShadowLength > 0.0 ? softShadowNormal / softShadowLength
-                                                 : vec3(0.0, 0.0, 1.0), 0.0);
+    softShadowNormal = softShadowLength > 0.0 ? softShadowNormal / softShadowLength
+                                              : vec3(0.0, 0.0, 1.0);
+    gl_FragData[1] = vec4(softShadowNormal, 0.0);
+#ifdef SOFT_SHADOW_BEND
+    gl_FragData[2] = softShadowSurface(vertexVC.xyz, softShadowNormal);
+#else
+    gl_FragData[2] = vec4(softShadowNormal, 0.0);
+#endif
     return;
   }
