@@ -36,6 +36,9 @@ struct ModelFile
   }
 };
 
+/// The point array with the colours of a mesh: three bytes each, sRGB.
+constexpr const char* const ModelColors = "SoftShadowsModelColors";
+
 ///@{
 /// Names in NotShown.
 constexpr const char* const DegenerateFaces = "faces without area";

@@ -3,8 +3,11 @@
 
 #include "ModelScene.h"
 
+#include "ModelFile.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkMath.h"
+#include "vtkPointData.h"
 
 #include <cmath>
 
@@ -79,8 +82,12 @@ SceneDescription SceneAroundModels(
   {
     ObjectDescription object;
     object.Shape = ModelShape{ file, { file, 0, "" } };
-    object.Color = ModelColor;
-    box.AddBounds(models.Load(std::get<ModelShape>(object.Shape), scene.Folder)->GetBounds());
+    const auto mesh = models.Load(std::get<ModelShape>(object.Shape), scene.Folder);
+    if (!mesh->GetPointData()->HasArray(ModelColors))
+    {
+      object.Color = ModelColor;
+    }
+    box.AddBounds(mesh->GetBounds());
     scene.Objects.push_back(object);
   }
   const Frame frame(up);

@@ -3,6 +3,7 @@
 
 #include "ModelStore.h"
 
+#include "GltfFile.h"
 #include "ObjFile.h"
 #include "PlyFile.h"
 #include "StlFile.h"
@@ -149,7 +150,23 @@ ModelFile ReadByKind(const std::string& path, const std::string& kind)
   {
     return ReadStl(path);
   }
-  return ReadVtp(path);
+  if (kind == "glb" || kind == "gltf")
+  {
+    return ReadGltf(path);
+  }
+  ModelFile file = ReadVtp(path);
+  file.Mesh->GetPointData()->RemoveArray(ModelColors); // the file's arrays are its own affair
+  return file;
+}
+
+std::string ListOfKinds()
+{
+  std::string list;
+  for (const std::string& kind : ModelStore::GetKinds())
+  {
+    list += (list.empty() ? "" : ", ") + kind;
+  }
+  return list;
 }
 
 void CheckCorners(vtkCellArray* cells, vtkIdType numberOfPoints)
@@ -168,11 +185,13 @@ void CheckCorners(vtkCellArray* cells, vtkIdType numberOfPoints)
   }
 }
 
-void CheckMesh(vtkPolyData* mesh)
+void CheckMesh(const ModelFile& file)
 {
+  vtkPolyData* mesh = file.Mesh;
   if (mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0)
   {
-    throw std::runtime_error("is empty: it has no polygon");
+    throw std::runtime_error("is empty: it has no polygon" +
+      (file.NotShown.empty() ? "" : ", but what is not shown: " + file.DescribeNotShown()));
   }
   CheckCorners(mesh->GetPolys(), mesh->GetNumberOfPoints());
   CheckCorners(mesh->GetStrips(), mesh->GetNumberOfPoints());
@@ -314,7 +333,7 @@ vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* mesh)
 //--------------------------------------------------------------------------------------------------
 const std::vector<std::string>& ModelStore::GetKinds()
 {
-  static const std::vector<std::string> kinds = { "ply", "obj", "stl", "vtp" };
+  static const std::vector<std::string> kinds = { "ply", "obj", "stl", "vtp", "glb", "gltf" };
   return kinds;
 }
 
@@ -357,8 +376,8 @@ vtkSmartPointer<vtkPolyData> ModelStore::Load(
   const std::vector<std::string>& kinds = GetKinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
   {
-    throw SceneError(
-      model.Place, "'" + model.File + "' is no model: files of the kinds ply, obj, stl, vtp are");
+    throw SceneError(model.Place,
+      "'" + model.File + "' is no model: files of the kinds " + ListOfKinds() + " are");
   }
   const std::string path = this->Find(model, sceneFolder);
   vtkSmartPointer<vtkPolyData>& mesh = this->Meshes[path];
@@ -369,7 +388,7 @@ vtkSmartPointer<vtkPolyData> ModelStore::Load(
   try
   {
     ModelFile file = ReadByKind(path, kind);
-    CheckMesh(file.Mesh);
+    CheckMesh(file);
     KeepPolygons(file);
     KeepFinitePolygons(file);
     if (!file.NotShown.empty())

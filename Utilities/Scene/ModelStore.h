@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds and reads the meshes that scenes name: ply, obj, stl and vtp files.
+ * Finds and reads the meshes that scenes name: ply, obj, stl, vtp, glb and gltf files.
  */
 
 #ifndef ModelStore_h

@@ -4,11 +4,13 @@
 #include "SceneBuilder.h"
 
 #include "CameraClipping.h"
+#include "ModelFile.h"
 #include "ShapeMesh.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShadowCasters.h"
@@ -27,8 +29,16 @@ vtkSmartPointer<vtkActor> BuildActor(
   const ObjectDescription& object, const std::string& sceneFolder, ModelStore& models)
 {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(MakeMesh(object.Shape, sceneFolder, models));
-  mapper->ScalarVisibilityOff(); // the object's colour, not the file's
+  const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(object.Shape, sceneFolder, models);
+  mapper->SetInputData(mesh);
+  // The object's colour, not the file's, unless the file's are meant as the model's.
+  mapper->ScalarVisibilityOff();
+  if (!object.Color && mesh->GetPointData()->HasArray(ModelColors))
+  {
+    mapper->ScalarVisibilityOn();
+    mapper->SetScalarModeToUsePointFieldData();
+    mapper->SelectColorArray(ModelColors);
+  }
   vtkNew<vtkMatrix4x4> matrix;
   matrix->DeepCopy(object.Matrix.data());
 
@@ -39,7 +49,8 @@ vtkSmartPointer<vtkActor> BuildActor(
     actor->SetUserMatrix(matrix);
   }
   vtkProperty* property = actor->GetProperty();
-  property->SetColor(object.Color[0], object.Color[1], object.Color[2]);
+  const Vector3 color = object.Color.value_or(Vector3{ { 1.0, 1.0, 1.0 } });
+  property->SetColor(color[0], color[1], color[2]);
   property->SetAmbient(AmbientPart);
   property->SetDiffuse(1.0 - AmbientPart);
   if (!object.CastShadow)

@@ -30,7 +30,7 @@ struct ScenePlace
   std::string Key;  ///< Path of the key, such as objects[2].color; empty for the whole file.
 };
 
-/// "file" of an object: a mesh of one of the kinds ply, obj, stl, vtp.
+/// "file" of an object: a mesh of one of the kinds ply, obj, stl, vtp, glb, gltf.
 struct ModelShape
 {
   std::string File; ///< As written; relative names are looked up when the mesh is loaded.
@@ -104,7 +104,8 @@ struct ObjectDescription
   ShapeDescription Shape;
   /// Model to world, row by row; affine and invertible.
   std::array<double, 16> Matrix{ { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
-  Vector3 Color{ { 1.0, 1.0, 1.0 } };
+  /// Absent: the colours of the model, if its file is glTF and has some, else white.
+  std::optional<Vector3> Color;
   bool CastShadow = true;
   bool ReceiveShadow = true;
   ScenePlace Place;

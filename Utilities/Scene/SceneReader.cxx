@@ -72,6 +72,10 @@ ObjectDescription ReadObject(const KeyReader& keys)
   {
     model->Place = keys.PlaceOf("file");
   }
+  else
+  {
+    object.Color = Vector3{ { 1.0, 1.0, 1.0 } }; // shapes have no colours of their own
+  }
   DescribeCommon(keys, object);
   CheckMatrix(keys, object.Matrix);
   return object;

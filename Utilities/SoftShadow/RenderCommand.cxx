@@ -133,8 +133,8 @@ void AddRenderCommand(CLI::App& app)
 {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render",
-    "Render a scene file, or models (ply, obj, stl, vtp) on a ground plane under a key light. All "
-    "files are written, or none.");
+    "Render a scene file, or models (ply, obj, stl, vtp, glb, gltf) on a ground plane under a key "
+    "light. All files are written, or none.");
   options->Scene.AddTo(command);
   command->add_option("-o,--output", options->Image, "Write the picture: png, jpg, tif, exr, ...");
   options->Technique.AddTo(command);

@@ -63,8 +63,9 @@ void AddViewCommand(CLI::App& app)
 {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = app.add_subcommand("view",
-    "Show a scene file or models (ply, obj, stl, vtp) in a window: techniques, settings, light and "
-    "views by keys and a menu. h shows what the keys do.");
+    "Show a scene file or models (ply, obj, stl, vtp, glb, gltf) in a window: techniques, "
+    "settings, "
+    "light and views by keys and a menu. h shows what the keys do.");
   options->Scene.AddTo(command);
   options->Technique.AddTo(command);
   command->add_option("--output", options->Output, "Folder in which the window's keys save")

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 using namespace softshadows;
@@ -193,6 +195,40 @@ TEST_F(Render, RendersModelsOfEveryKind)
     // The model stands in the middle: nearer than the ground behind it.
     EXPECT_LT(image.Depth[80 * 30 + 40], image.Depth[80 * 5 + 40]) << model;
   }
+}
+
+TEST_F(Render, RendersBaseColorsOfGltf)
+{
+  // A tetrahedron, red and blue; what else there is is named.
+  this->Write("scene.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 60, "uri":
+    "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAIBAAMCAAEDAQID"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+      {"bufferView": 1, "componentType": 5121, "count": 12, "type": "SCALAR"}],
+    "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}},
+      {"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 1]}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]},
+      {"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 1}]},
+      {"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
+    "nodes": [{"mesh": 0}, {"mesh": 1, "translation": [1.5, 0, 0]}, {"mesh": 2}]})");
+  const ToolResult result =
+    this->Run("render scene.gltf --width 160 --height 120 --option map_size=512 -o picture.ppm");
+  ASSERT_EQ(result.ExitCode, 0) << result.Output;
+  EXPECT_NE(result.Output.find("scene.gltf' has what is not shown: 4 points"), std::string::npos)
+    << result.Output;
+  std::ifstream stream(this->Folder / "picture.ppm", std::ios::binary);
+  const std::string bytes{ std::istreambuf_iterator<char>(stream), {} };
+  ASSERT_GE(bytes.size(), 160u * 120u * 3u);
+  int red = 0;
+  int blue = 0;
+  for (std::size_t i = bytes.size() - 160 * 120 * 3; i + 2 < bytes.size(); i += 3)
+  {
+    const auto at = [&](std::size_t k) { return static_cast<unsigned char>(bytes[i + k]); };
+    red += at(0) > 30 && at(1) == 0 && at(2) == 0 ? 1 : 0;
+    blue += at(2) > 30 && at(0) == 0 && at(1) == 0 ? 1 : 0;
+  }
+  EXPECT_GT(red, 200);
+  EXPECT_GT(blue, 200);
 }
 
 TEST_F(Render, LooksForModelsInTheFoldersGiven)
