@@ -61,13 +61,16 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Refresh(const vtkShadowCaster
   const std::array<double, 16>& matrix, bool casts, bool receives)
 {
   Change change;
+  change.Looks = this->Look != source.Look || this->Matrix != matrix;
+  this->Look = source.Look;
   if (this->Signature != source.Signature || this->Route != source.Route)
   {
     this->Signature = source.Signature;
     // A prop drawn by its mapper may look different although its box stays.
-    change.Casters = this->Body.Casts &&
-      (this->Route != source.Route || source.Route == vtkShadowCasterSource::MAPPER);
+    change.Casters =
+      this->Body.Casts && (this->Route != source.Route || this->HasOwnDraws() || source.HasStrokes);
     this->Route = source.Route;
+    this->TakeStrokes(source);
     this->Reshaped = true;
     this->Moved = true;
     this->UnchangedUpdates = 0;
@@ -82,8 +85,7 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Refresh(const vtkShadowCaster
   {
     this->Matrix = matrix;
     this->Moved = true;
-    change.Casters =
-      change.Casters || (this->Body.Casts && this->Route == vtkShadowCasterSource::MAPPER);
+    change.Casters = change.Casters || (this->Body.Casts && this->HasOwnDraws());
   }
   if (this->Body.Casts != casts || this->Body.Receives != receives)
   {
@@ -98,6 +100,31 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Refresh(const vtkShadowCaster
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowCasterEntry::TakeStrokes(const vtkShadowCasterSource& source)
+{
+  if (!source.HasStrokes)
+  {
+    this->ReleaseGraphicsResources();
+    this->Strokes.reset();
+    return;
+  }
+  if (!this->Strokes)
+  {
+    this->Strokes = std::make_unique<vtkShadowStrokes>();
+  }
+  this->Strokes->Build(source.Pieces, vtkActor::SafeDownCast(this->Prop)->GetProperty());
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterEntry::ReleaseGraphicsResources()
+{
+  if (this->Strokes)
+  {
+    this->Strokes->ReleaseGraphicsResources();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowCasterEntry::ForgetRange()
 {
   this->Range = vtkShadowCasterBuffer::Range();
@@ -106,12 +133,22 @@ void vtkShadowCasterEntry::ForgetRange()
 }
 
 //------------------------------------------------------------------------------
-vtkShadowCasterEntry::Change vtkShadowCasterEntry::Place(
-  vtkShadowCasterBuffer& buffer, const std::array<double, 3>& origin, std::vector<float>& scratch)
+vtkShadowCasterEntry::Change vtkShadowCasterEntry::Place(vtkShadowCasterBuffer& buffer,
+  const std::array<double, 3>& origin, const vtkShadowScreen& screen, std::vector<float>& scratch)
 {
   Change change;
+  const bool follows = this->Strokes && !(this->Screen == screen);
+  this->Screen = screen;
   if (!this->Moved)
   {
+    if (follows && this->HasBody)
+    {
+      const auto old = this->Body.Bounds;
+      this->AddStrokeBounds();
+      this->FindParts();
+      change.Casters = this->Body.Casts;
+      change.Bodies = old != this->Body.Bounds;
+    }
     return change;
   }
   this->Moved = false;
@@ -163,6 +200,7 @@ bool vtkShadowCasterEntry::FindBody(
   const std::array<double, 3>& origin, std::vector<float>& scratch)
 {
   this->Body.Flat = false;
+  this->HasTriangles = false;
   if (!IsFinite(this->Matrix.data(), 16))
   {
     return false;
@@ -178,12 +216,22 @@ bool vtkShadowCasterEntry::FindBody(
     {
       return false;
     }
+    this->HasTriangles = true;
+    this->TriangleBounds = this->Body.Bounds;
+  }
+  if (this->Strokes && this->Strokes->Place(this->Matrix))
+  {
+    this->AddStrokeBounds();
+    return true;
+  }
+  if (this->HasTriangles)
+  {
     this->FindPlane();
     return true;
   }
   if (this->IsInBuffer())
   {
-    return false; // no triangles: nothing to see
+    return false; // neither triangles nor strokes: nothing to see
   }
   double bounds[6];
   if (vtkShadowCasterSource::GetModelBounds(this->Prop, bounds))
@@ -198,6 +246,18 @@ bool vtkShadowCasterEntry::FindBody(
   }
   std::copy_n(found, 6, this->Body.Bounds.data());
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterEntry::AddStrokeBounds()
+{
+  auto& box = this->Body.Bounds;
+  box = this->Strokes->FindBounds(this->Screen);
+  for (int i = 0; this->HasTriangles && i < 6; i += 2)
+  {
+    box[i] = std::min(box[i], this->TriangleBounds[i]);
+    box[i + 1] = std::max(box[i + 1], this->TriangleBounds[i + 1]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -235,6 +295,11 @@ void vtkShadowCasterEntry::FindParts()
   this->Parts.clear();
   if (!this->HasBody)
   {
+    return;
+  }
+  if (this->Strokes)
+  {
+    this->Parts.push_back(this->Body); // strokes may lie anywhere
     return;
   }
   for (const vtkShadowCasterClusters::Cluster& cluster : this->Geometry.GetClusters())

@@ -12,10 +12,13 @@
 #include "vtkShadowCasterGeometry.h"
 #include "vtkShadowCasterSource.h"
 #include "vtkShadowCasters.h"
+#include "vtkShadowScreen.h"
+#include "vtkShadowStrokes.h"
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
 #include <array>   // For matrices
 #include <cstdint> // For signatures
+#include <memory>  // For strokes
 #include <vector>  // For the scratch memory
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -29,6 +32,7 @@ public:
   {
     bool Casters = false; ///< what a depth map shows
     bool Bodies = false;  ///< boxes, planes, flags
+    bool Looks = false;   ///< what a picture shows of it, from anywhere
   };
 
   vtkProp3D* Prop = nullptr; // valid during an Update and the draws until the next
@@ -58,10 +62,15 @@ public:
 
   /// Transforms, finds the body and writes to the buffer what is new.
   Change Place(vtkShadowCasterBuffer& buffer, const std::array<double, 3>& origin,
-    std::vector<float>& scratch);
+    const vtkShadowScreen& screen, std::vector<float>& scratch);
 
-  /// Gives the buffer its room back.
-  void Remove(vtkShadowCasterBuffer& buffer) { buffer.Free(this->Range); }
+  /// Gives the buffer its room back, and OpenGL what is the entry's own.
+  void Remove(vtkShadowCasterBuffer& buffer)
+  {
+    buffer.Free(this->Range);
+    this->ReleaseGraphicsResources();
+  }
+  void ReleaseGraphicsResources();
   /// The buffer has been cleared.
   void ForgetRange();
 
@@ -72,6 +81,15 @@ public:
   }
   const vtkShadowCasterBuffer::Range& GetRange() const { return this->Range; }
 
+  /// Which the strokes are as wide as.
+  const vtkShadowScreen& GetScreen() const { return this->Screen; }
+  bool HasStrokes() const { return this->Strokes != nullptr; }
+  /// To be drawn; null if there are none.
+  vtkShadowStrokes* GetStrokes() const
+  {
+    return this->DrawsFromBuffer() ? this->Strokes.get() : nullptr;
+  }
+
   /// 1 or -1 if a light outside the body's box sees only the triangles that turn counterclockwise
   /// or clockwise, 0 if it may see both.
   int GetFacing() const { return this->Facing; }
@@ -79,7 +97,10 @@ public:
 private:
   bool IsInBuffer() const { return this->Route == vtkShadowCasterSource::BUFFER; }
   void FindFacing();
+  void TakeStrokes(const vtkShadowCasterSource& source);
   bool FindBody(const std::array<double, 3>& origin, std::vector<float>& scratch);
+  void AddStrokeBounds();
+  bool HasOwnDraws() const { return this->Strokes || this->Route == vtkShadowCasterSource::MAPPER; }
   void FindPlane();
   void FindParts();
   static bool SetCorners(const std::array<std::array<double, 3>, 4>& corners,
@@ -88,6 +109,7 @@ private:
 
   int Route = vtkShadowCasterSource::NONE;
   std::uint64_t Signature = 0;
+  std::uint64_t Look = 0;
   bool Moved = true;
   bool Reshaped = true;
   int UnchangedUpdates = 0; // of the geometry
@@ -95,6 +117,10 @@ private:
   int Facing = 0;
   vtkShadowCasterGeometry Geometry;
   vtkShadowCasterBuffer::Range Range;
+  std::unique_ptr<vtkShadowStrokes> Strokes;
+  vtkShadowScreen Screen;                 // which the strokes are as wide as
+  std::array<double, 6> TriangleBounds{}; // of a body with strokes
+  bool HasTriangles = false;
 };
 
 VTK_ABI_NAMESPACE_END

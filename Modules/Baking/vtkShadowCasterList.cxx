@@ -5,10 +5,13 @@
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkMath.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkProp3D.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkShadowSides.h"
+#include "vtkSoftShadowsOpenGL.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +24,7 @@ void vtkShadowCasterList::Note(const vtkShadowCasterEntry::Change& change)
 {
   this->Changes.Casters = this->Changes.Casters || change.Casters;
   this->Changes.Bodies = this->Changes.Bodies || change.Bodies;
+  this->Changes.Looks = this->Changes.Looks || change.Looks;
 }
 
 //------------------------------------------------------------------------------
@@ -36,9 +40,10 @@ void vtkShadowCasterList::ForgetReceivers()
 //------------------------------------------------------------------------------
 vtkShadowCasterEntry::Change vtkShadowCasterList::Update(vtkRenderer* renderer, bool findReceivers)
 {
-  this->Changes = { false, this->MustCollect };
+  this->Changes = { false, this->MustCollect, false };
   this->MustCollect = false;
   this->VisitProps(renderer);
+  this->FindScreen(renderer);
   this->PlaceEntries();
   if ((this->Changes.Bodies || this->Changes.Casters) && this->MoveOrigin())
   {
@@ -152,7 +157,7 @@ void vtkShadowCasterList::RemoveEntries(std::size_t first, std::size_t last)
   for (std::size_t i = first; i < last; ++i)
   {
     vtkShadowCasterEntry& entry = this->Entries[i];
-    this->Note({ entry.DrawsFromBuffer() || entry.DrawsThroughMapper(), entry.HasBody });
+    this->Note({ entry.DrawsFromBuffer() || entry.DrawsThroughMapper(), entry.HasBody, true });
     entry.Remove(this->Buffer);
   }
   const auto begin = this->Entries.begin();
@@ -161,11 +166,26 @@ void vtkShadowCasterList::RemoveEntries(std::size_t first, std::size_t last)
 }
 
 //------------------------------------------------------------------------------
+// Only strokes need to know the picture; without them no camera changes anything.
+void vtkShadowCasterList::FindScreen(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window &&
+    std::any_of(this->Entries.begin(), this->Entries.end(),
+      [](const vtkShadowCasterEntry& entry) { return entry.HasStrokes(); }))
+  {
+    int viewport[4];
+    window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+    this->Screen = vtkShadowScreen::Of(renderer, viewport[3]);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowCasterList::PlaceEntries()
 {
   for (vtkShadowCasterEntry& entry : this->Entries)
   {
-    this->Note(entry.Place(this->Buffer, this->Origin, this->Scratch));
+    this->Note(entry.Place(this->Buffer, this->Origin, this->Screen, this->Scratch));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "vtkShadowCasterBuffer.h"
 #include "vtkShadowCasterEntry.h"
 #include "vtkShadowCasterSource.h"
+#include "vtkShadowScreen.h"
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
 #include <array>  // For the origin
@@ -50,6 +51,7 @@ private:
   void VisitLeaf(vtkProp* leaf, vtkMatrix4x4* matrix, vtkProp* top);
   vtkShadowCasterEntry& FindEntry(vtkProp3D* prop);
   void RemoveEntries(std::size_t first, std::size_t last);
+  void FindScreen(vtkRenderer* renderer);
   void PlaceEntries();
   bool MoveOrigin();
   void CollectBodies();
@@ -60,6 +62,7 @@ private:
   vtkShadowCasterSource Source;
   bool HasOrigin = false;
   std::vector<float> Scratch;
+  vtkShadowScreen Screen;
   vtkNew<vtkMatrix4x4> Matrix;
   vtkShadowCasterEntry::Change Changes; // of this update
   bool MustCollect = false;

@@ -19,9 +19,12 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
+#include "vtkShadowCasterSignature.h"
+#include "vtkShadowStrokes.h"
 #include "vtkSkybox.h"
 #include "vtkTexture.h"
 #include "vtkVolume.h"
@@ -42,21 +45,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-void Mix(std::uint64_t& signature, std::uint64_t value)
-{
-  // Finaliser of SplitMix64: every bit of the value reaches every bit of the sum.
-  value += 0x9e3779b97f4a7c15ULL + signature;
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebULL;
-  signature = value ^ (value >> 31);
-}
-
-void Mix(std::uint64_t& signature, vtkObject* object)
-{
-  Mix(signature, static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(object)));
-  Mix(signature, object ? static_cast<std::uint64_t>(object->GetMTime()) : 0);
-}
-
 // Up to VTK 9.2 the composite mapper of RenderingCore has no attributes of blocks.
 template <typename Mapper>
 auto AttributesOf(Mapper* mapper, int) -> decltype(mapper->GetCompositeDataDisplayAttributes())
@@ -134,13 +122,15 @@ bool HasReplacedShader(vtkActor* actor)
 class LeafCollector
 {
 public:
-  LeafCollector(vtkCompositeDataDisplayAttributes* attributes, vtkShadowCasterSource& source)
+  LeafCollector(vtkCompositeDataDisplayAttributes* attributes, std::vector<vtkPolyData*>& pieces)
     : Attributes(attributes)
-    , Source(source)
+    , Pieces(pieces)
   {
   }
 
+  bool OnlyPolyData = true;
   bool OnlyPolygons = true;
+  vtkShadowCasterSignature Signature; // of all that is visible
 
   void Add(vtkDataObject* data, bool visible)
   {
@@ -173,8 +163,8 @@ private:
     {
       return;
     }
-    Mix(this->Source.Signature, piece);
-    this->Source.Pieces.push_back(piece);
+    this->Signature.AddData(piece);
+    this->Pieces.push_back(piece);
     this->OnlyPolygons =
       this->OnlyPolygons && piece->GetNumberOfVerts() == 0 && piece->GetNumberOfLines() == 0;
   }
@@ -204,13 +194,14 @@ private:
     }
     else
     {
-      this->OnlyPolygons = false; // a tree or a grid this class does not know
-      Mix(this->Source.Signature, data);
+      this->OnlyPolyData = false; // a tree or a grid this class does not know
+      this->OnlyPolygons = false;
+      this->Signature.AddData(data);
     }
   }
 
   vtkCompositeDataDisplayAttributes* Attributes;
-  vtkShadowCasterSource& Source;
+  std::vector<vtkPolyData*>& Pieces;
 };
 
 // Imposters are larger than the points they stand for; VTK's bounds are the points', if even that.
@@ -273,15 +264,6 @@ double GetImposterReach(vtkMapper* mapper, vtkPolyData* data)
   vtkDataArray* radii = name ? points->GetArray(name) : nullptr;
   return radii ? GetLargest(radii, 0) : sphere->GetRadius();
 }
-
-void MixLook(std::uint64_t& signature, vtkActor* actor)
-{
-  Mix(signature, actor->GetMapper());
-  Mix(signature, actor->GetProperty());
-  Mix(signature, actor->GetTexture());
-  Mix(signature, actor->GetShaderProperty());
-  Mix(signature, static_cast<std::uint64_t>(actor->GetShaderProperty()->GetShaderMTime()));
-}
 }
 
 //------------------------------------------------------------------------------
@@ -290,21 +272,53 @@ void vtkShadowCasterSource::Inspect(vtkProp3D* prop)
   this->Route = NONE;
   this->Pieces.clear();
   this->IsHull = false;
+  this->HasStrokes = false;
   this->Signature = 0;
+  this->Look = 0;
 
   const vtkMTimeType redraw = prop->GetRedrawMTime(); // brings the pipeline up to date
   if (vtkSkybox::SafeDownCast(prop) || vtkVolume::SafeDownCast(prop))
   {
     return;
   }
-  auto* actor = vtkActor::SafeDownCast(prop);
-  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!actor)
+  if (auto* actor = vtkActor::SafeDownCast(prop))
   {
-    this->Route = prop->HasOpaqueGeometry() ? MAPPER : NONE;
-    this->Signature = redraw;
+    this->InspectActor(actor);
     return;
   }
+  vtkShadowCasterSignature signature;
+  signature.Add(static_cast<std::uint64_t>(redraw));
+  this->AddParts(prop, signature);
+  this->Route = prop->HasOpaqueGeometry() ? MAPPER : NONE;
+  this->Signature = signature.Value;
+  this->Look = signature.Value;
+}
+
+//------------------------------------------------------------------------------
+// Props that draw actors of their own, as one of several levels of detail, do not tell of their changes.
+void vtkShadowCasterSource::AddParts(vtkProp3D* prop, vtkShadowCasterSignature& signature)
+{
+  this->Actors->RemoveAllItems();
+  prop->GetActors(this->Actors);
+  vtkCollectionSimpleIterator iterator;
+  this->Actors->InitTraversal(iterator);
+  while (vtkProp* part = this->Actors->GetNextProp(iterator))
+  {
+    auto* actor = vtkActor::SafeDownCast(part);
+    if (actor && actor->GetMapper())
+    {
+      signature.Add(static_cast<std::uint64_t>(actor->GetVisibility()));
+      signature.AddActor(actor, actor->GetMapper());
+      signature.AddInputs(actor->GetMapper(), 0);
+    }
+  }
+  this->Actors->RemoveAllItems(); // holds nothing alive
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterSource::InspectActor(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
   if (!mapper || mapper->GetNumberOfInputPorts() == 0 ||
     mapper->GetNumberOfInputConnections(0) == 0)
   {
@@ -318,27 +332,27 @@ void vtkShadowCasterSource::Inspect(vtkProp3D* prop)
   }
 
   vtkProperty* property = actor->GetProperty();
-  vtkCompositeDataDisplayAttributes* attributes = GetAttributes(mapper);
-  LeafCollector collector(attributes, *this);
+  LeafCollector collector(GetAttributes(mapper), this->Pieces);
   collector.Add(mapper->GetInputDataObject(0, 0), true);
-  const bool known = DrawsPolygonsAsTheyAre(mapper) && collector.OnlyPolygons;
-  const bool replaced = HasReplacedShader(actor);
-  this->IsHull = known && !replaced && property->GetRepresentation() == VTK_SURFACE &&
-    !property->GetVertexVisibility();
-  const bool plain = this->IsHull && mapper->GetNumberOfClippingPlanes() == 0 && !HasAlpha(actor);
+  const bool known =
+    DrawsPolygonsAsTheyAre(mapper) && collector.OnlyPolyData && !HasReplacedShader(actor);
+  const bool whole = known && mapper->GetNumberOfClippingPlanes() == 0 && !HasAlpha(actor);
+  const bool surface = property->GetRepresentation() == VTK_SURFACE;
+  this->HasStrokes = whole && vtkShadowStrokes::AreWide(this->Pieces, property);
+  this->IsHull = surface &&
+    (this->HasStrokes || (known && collector.OnlyPolygons && !property->GetVertexVisibility()));
+  const bool plain = this->HasStrokes || (this->IsHull && whole);
   this->Route = plain ? BUFFER : MAPPER;
-  if (!plain)
+
+  vtkShadowCasterSignature look = collector.Signature;
+  look.Add(static_cast<std::uint64_t>(this->Route));
+  this->Signature = look.Value;
+  look.AddActor(actor, mapper);
+  this->Look = look.Value;
+  if (!plain || this->HasStrokes)
   {
-    MixLook(this->Signature, actor);
-    for (int port = 1; port < mapper->GetNumberOfInputPorts(); ++port)
-    {
-      for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
-      {
-        Mix(this->Signature, mapper->GetInputDataObject(port, i)); // the shapes of glyphs
-      }
-    }
+    this->Signature = look.Value;
   }
-  Mix(this->Signature, static_cast<std::uint64_t>(this->Route));
 }
 
 //------------------------------------------------------------------------------

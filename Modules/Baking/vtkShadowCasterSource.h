@@ -10,14 +10,18 @@
 #ifndef vtkShadowCasterSource_h
 #define vtkShadowCasterSource_h
 
+#include "vtkNew.h"            // For members
+#include "vtkPropCollection.h" // For members
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
 #include <cstdint> // For signatures
 #include <vector>  // For pieces
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
 class vtkPolyData;
 class vtkProp3D;
+class vtkShadowCasterSignature;
 
 struct vtkShadowCasterSource
 {
@@ -34,10 +38,14 @@ struct vtkShadowCasterSource
   int Route = NONE;
   /// The visible polygonal data, valid until the pipeline changes. All of it, if IsHull.
   std::vector<vtkPolyData*> Pieces;
-  /// What is drawn lies within the triangles of the pieces, whichever the route.
+  /// What is drawn lies within the triangles of the pieces (and its strokes), whichever the route.
   bool IsHull = false;
-  /// Changes whenever what the prop shows may have; its matrix is not part of it.
+  /// Points or lines are wider than a pixel: they are drawn as vtkShadowStrokes.
+  bool HasStrokes = false;
+  /// Changes whenever what the prop casts may have; its matrix is not part of it.
   std::uint64_t Signature = 0;
+  /// Changes whenever the prop may show other fragments, which sides are culled included.
+  std::uint64_t Look = 0;
 
   /// Brings the prop's pipeline up to date and looks at it. Reuses the memory of the last call.
   void Inspect(vtkProp3D* prop);
@@ -46,6 +54,12 @@ struct vtkShadowCasterSource
    * Bounds in model coordinates of everything the prop's mapper draws. False if there are none.
    */
   static bool GetModelBounds(vtkProp3D* prop, double bounds[6]);
+
+private:
+  void InspectActor(vtkActor* actor);
+  void AddParts(vtkProp3D* prop, vtkShadowCasterSignature& signature);
+
+  vtkNew<vtkPropCollection> Actors; // of the prop at hand
 };
 
 VTK_ABI_NAMESPACE_END

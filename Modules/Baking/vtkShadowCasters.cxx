@@ -18,6 +18,8 @@
 #include "vtkShadowContextWatch.h"
 #include "vtkShadowDrawTest.h"
 #include "vtkShadowMapperCasters.h"
+#include "vtkShadowStrokeProgram.h"
+#include "vtkShadowStrokes.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
@@ -85,16 +87,23 @@ public:
 
   vtkShadowCasterList List;
   vtkShadowCasterProgram Program;
+  vtkShadowStrokeProgram StrokeProgram;
   vtkNew<vtkShadowCamera> Camera;
   vtkNew<vtkMatrix4x4> Matrix;
   vtkShadowContextWatch Watch{ [this](vtkOpenGLRenderWindow*)
     {
       this->List.Buffer.ReleaseGraphicsResources();
+      for (vtkShadowCasterEntry& entry : this->List.Entries)
+      {
+        entry.ReleaseGraphicsResources();
+      }
       this->Program.ReleaseGraphicsResources();
+      this->StrokeProgram.ReleaseGraphicsResources();
     } };
 
   int DrawSide(int side);
   int DrawBuffer(vtkOpenGLState* state, bool conservative);
+  int DrawStrokes(vtkOpenGLRenderWindow* window, const vtkShadowMapView& view, int resolution);
   int DrawMappers(vtkRenderer* renderer, const vtkShadowMapView& view);
 };
 
@@ -123,6 +132,27 @@ int vtkShadowCasters::Internals::DrawBuffer(vtkOpenGLState* state, bool conserva
     calls += this->DrawSide(side);
   }
   this->Program.SetSide(state, 0);
+  return calls;
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowCasters::Internals::DrawStrokes(
+  vtkOpenGLRenderWindow* window, const vtkShadowMapView& view, int resolution)
+{
+  int calls = 0;
+  for (const vtkShadowCasterEntry& entry : this->List.Entries)
+  {
+    vtkShadowStrokes* strokes = entry.GetStrokes();
+    if (!strokes || entry.SideToDraw == vtkShadowCasterEntry::NO_SIDE)
+    {
+      continue;
+    }
+    if (calls == 0 && !this->StrokeProgram.Use(window, view, resolution))
+    {
+      return 0;
+    }
+    calls += strokes->Draw(this->StrokeProgram, entry.GetScreen());
+  }
   return calls;
 }
 
@@ -202,12 +232,17 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
 {
   const vtkShadowCasterEntry::Change change =
     this->Impl->List.Update(renderer, this->EffectiveOnly);
-  if (!change.Bodies && !change.Casters)
+  if (!change.Bodies && !change.Casters && !change.Looks)
   {
     return false;
   }
   vtkTimeStamp stamp;
   stamp.Modified();
+  this->LooksTime = stamp.GetMTime();
+  if (!change.Bodies && !change.Casters)
+  {
+    return false;
+  }
   this->BodiesTime = stamp.GetMTime();
   if (change.Casters)
   {
@@ -284,6 +319,7 @@ int vtkShadowCasters::Draw(
     calls += impl.DrawBuffer(window->GetState(), conservative);
     impl.Program.Finish();
   }
+  calls += impl.DrawStrokes(window, view, resolution);
   return calls + impl.DrawMappers(renderer, view);
 }
 

@@ -9,17 +9,27 @@
  * vertex buffer, in world coordinates relative to a local origin (subtracted in double): one draw
  * call fills a depth map. A copy on the CPU, of the buffer's size, tells what really changed.
  *
+ * Points and lines (vertices, lines, wireframes, the points of a representation as points) wider than a
+ * pixel cast as wide as the renderer's camera draws them: as spheres and tubes where the property says
+ * so, else as flat squares and bands that face the light, and never thinner than a texel. A pixel's size
+ * in the world is that of the camera at the last Update(): such casters follow the camera, and maps are
+ * baked again whenever it moves. Without them no camera changes anything.
+ *
  * What cannot be represented so is drawn through its own mapper and casts what that draws: glyphs,
- * imposters, textures with alpha, replaced shaders, clipped surfaces, mappers of other classes. So do
- * points, lines and wireframes: they are as wide in the depth map, in texels, as in the picture, in
- * pixels, and keep that width at any resolution. Translucent props, volumes, skyboxes and overlays
- * cast nothing. Casters are two-sided whatever faces a property culls.
+ * imposters, textures with alpha, replaced shaders, clipped surfaces, mappers of other classes, points
+ * and lines no wider than a pixel. Points and lines drawn so are as wide in the depth map, in texels, as
+ * in the picture, in pixels, and keep that width at any resolution. Translucent props, volumes, skyboxes
+ * and overlays cast nothing. Casters are two-sided whatever faces a property culls.
  *
  * A vtkAssembly or vtkPropAssembly hands its own property keys to its parts whenever VTK renders it,
  * so the keys below count on the assembly and not on its parts.
  *
- * Update() compares modification times (of mappers, their inputs and blocks) and rebuilds only what
- * changed; what was modified but looks the same to a light, as a colour, changes nothing.
+ * Update() asks everything that decides which fragments a prop has and where they lie, at any depth:
+ * mappers, their inputs, blocks and arrays, clipping planes, textures with their pipelines, tables and
+ * transforms, shader code and the values of its uniforms, levels of detail, and of properties what is
+ * not colour. It rebuilds only what changed; what was modified but looks the same to a light, as a
+ * colour, changes nothing. What no object tells cannot be seen: uniforms that an observer sets in the
+ * mapper's program, and data written to without Modified().
  */
 
 #ifndef vtkShadowCasters_h
@@ -88,6 +98,12 @@ public:
   /// Grows whenever Update returns true; fits of depth maps are valid for one value of it.
   vtkGetMacro(BodiesTime, vtkMTimeType);
 
+  /**
+   * Grows whenever Update finds that something visible, caster or not, may show other fragments or
+   * stands elsewhere: an actor, a part of an assembly, a level of detail, a clipping plane, a texture.
+   */
+  vtkGetMacro(LooksTime, vtkMTimeType);
+
   /// What the fit of a depth map needs to know of one prop (or leaf of an assembly), or of a part of it
   /// that is far from the rest, or flat.
   struct Body
@@ -136,6 +152,7 @@ protected:
   bool EffectiveOnly = true;
   vtkMTimeType CastersTime = 0;
   vtkMTimeType BodiesTime = 0;
+  vtkMTimeType LooksTime = 0;
 
 private:
   vtkShadowCasters(const vtkShadowCasters&) = delete;

@@ -3,7 +3,10 @@
 #include "vtkSoftShadowMapperHooks.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowShader.h"
@@ -69,7 +72,53 @@ void PutBend(
       vertexShader, normal, normal + "\nout vec4 softShadowBend;", false);
   }
 }
+
+// Whether some fragment's depth is neither that of its triangle nor that of vertexVC. Offsets for
+// coincident topology settle which of two surfaces is seen and move neither of them.
+bool MovesDepth(const std::string& fragmentShader)
+{
+  if (Contains(fragmentShader, "vertexVC.xyz ="))
+  {
+    return false; // spheres and sticks, which keep both together
+  }
+  const std::string assignment = "gl_FragDepth =";
+  for (size_t at = fragmentShader.find(assignment); at != std::string::npos;
+       at = fragmentShader.find(assignment, at + 1))
+  {
+    const std::string statement = fragmentShader.substr(at, fragmentShader.find(';', at) - at);
+    if (!Contains(statement, "cOffset"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What the receivers' code has to know of the fragment it is in.
+std::string ReceiveDefinitions(const std::string& fragmentShader)
+{
+  if (Contains(fragmentShader, "uniform float ZCalcR;") &&
+    Contains(fragmentShader, "vec3 normalVCVSOutput"))
+  {
+    // VTK's lines as tubes and points as spheres.
+    return Contains(fragmentShader, "in vec3 tubeBasis2;") ? "#define SOFT_SHADOW_TUBE\n"
+                                                           : "#define SOFT_SHADOW_SPHERE\n";
+  }
+  return MovesDepth(fragmentShader) ? "#define SOFT_SHADOW_MOVED_DEPTH\n" : "";
+}
 } // namespace
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowMapperHooks::SetCamera(vtkRenderer* renderer)
+{
+  vtkMatrix4x4* projection = renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  for (int i = 0; i < 2; ++i)
+  {
+    this->DepthToView[2 * i] = static_cast<float>(projection->GetElement(2 + i, 2));
+    this->DepthToView[2 * i + 1] = static_cast<float>(projection->GetElement(2 + i, 3));
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkSoftShadowMapperHooks::PreReplace(
@@ -108,8 +157,10 @@ std::string vtkSoftShadowMapperHooks::PostReplace(
   const bool isDeclared = fragmentShader.find("softShadowFactor(") != std::string::npos;
   const bool hasPosition = fragmentShader.find("vec4 vertexVC") != std::string::npos;
   const std::string lights = isDeclared ? ShadeLights(fragmentShader) : std::string();
-  const bool receives = vtkShaderProgram::Substitute(fragmentShader, ReceiveMark,
-    isDeclared && hasPosition ? vtkSoftShadowMapperReceive : "", false);
+  const std::string receive = isDeclared && hasPosition
+    ? ReceiveDefinitions(fragmentShader) + vtkSoftShadowMapperReceive
+    : std::string();
+  const bool receives = vtkShaderProgram::Substitute(fragmentShader, ReceiveMark, receive, false);
   const bool shades = vtkShaderProgram::Substitute(fragmentShader, ShadeMark, lights, false);
   if (!usesLights || (isDeclared && shades && receives && hasPosition && !lights.empty()))
   {
@@ -129,6 +180,10 @@ void vtkSoftShadowMapperHooks::SetUniforms(vtkShaderProgram* program, vtkProp* p
   }
   const bool receives = vtkShadowCasters::GetReceivesShadow(prop);
   program->SetUniformi("softShadowStage", this->Stage);
+  if (program->IsUniformUsed("softShadowDepthToView"))
+  {
+    program->SetUniform4f("softShadowDepthToView", this->DepthToView);
+  }
   program->SetUniformf("softShadowReceives",
     static_cast<float>(receives ? VTK_SOFT_SHADOW_RECEIVES : VTK_SOFT_SHADOW_SURFACE));
   if (program->IsUniformUsed("softShadowSmooth"))

@@ -14,7 +14,8 @@
  *     //VTK::PositionVC::Impl  of the vertex shader       the mark, then own mark Bend
  *     own mark Bend            normals of vertices        writes what tells the smooth surface
  *     own mark Smooth          the same                   finds the smooth surface
- *     own mark Receive         vertexVC (lit surfaces)    writes position and plane
+ *     own mark Receive         vertexVC (lit surfaces)    writes position and plane, of the depth
+ *                                                         that is drawn where a shader replaces it
  *     own mark Shade           uniform lightColor<i>      multiplies the light's colour
  */
 
@@ -28,6 +29,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
+class vtkRenderer;
 class vtkShaderProgram;
 
 class vtkSoftShadowMapperHooks
@@ -38,10 +40,15 @@ public:
   int Stage = 0;
   int Origin[2] = { 0, 0 };
   int VisibilityUnit = 0;
+  /// The camera's projection: z and w of clip coordinates are a z + b and c z + d in view coordinates.
+  float DepthToView[4] = { 0.0f, 0.0f, 0.0f, 1.0f };
   bool Smooth = false;             // receivers on the surface that the vertices' normals tell of
   std::vector<int> Layers;         // per lit light, in the renderer's order
   std::vector<float> Attenuations; // per lit light: vtkLight::ShadowAttenuation, within [0, 1]
   ///@}
+
+  /// Takes over the projection.
+  void SetCamera(vtkRenderer* renderer);
 
   void PreReplace(std::string& vertexShader, std::string& fragmentShader, vtkProp* prop) const;
   /**

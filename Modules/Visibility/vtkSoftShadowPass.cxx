@@ -315,6 +315,7 @@ bool vtkSoftShadowPass::SignatureChanged(const vtkRenderState* s)
   next.Add(static_cast<vtkTypeUInt64>(reinterpret_cast<std::uintptr_t>(s->GetRenderer())));
   next.Add(static_cast<vtkTypeUInt64>(this->GetMTime()));
   next.Add(static_cast<vtkTypeUInt64>(impl.Casters->GetBodiesTime()));
+  next.Add(static_cast<vtkTypeUInt64>(impl.Casters->GetLooksTime()));
   next.Add(static_cast<vtkTypeUInt64>(impl.Viewport[2]));
   next.Add(static_cast<vtkTypeUInt64>(impl.Viewport[3]));
   next.AddCamera(s->GetRenderer());
@@ -405,6 +406,7 @@ bool vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
   }
   impl.Statistics.Allocations += made;
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_RECEIVE;
+  impl.Hooks.SetCamera(s->GetRenderer());
   impl.ReceiverMappers.Clear();
   impl.Drawn = &impl.ReceiverMappers;
   this->DrawOpaque(s);

@@ -2,7 +2,8 @@
 // SOFT_SHADOW_LIGHTS is the number of lit lights, in the mapper's own order.
 uniform int softShadowStage;
 uniform float softShadowReceives; // the mark of this prop's receivers
-uniform ivec2 softShadowOrigin;   // lower left pixel of the viewport
+uniform vec4 softShadowDepthToView; // (a z + b) / (c z + d) is the depth from -1 to 1 of a view z
+uniform ivec2 softShadowOrigin;     // lower left pixel of the viewport
 uniform sampler2DArray softShadowVisibility;
 uniform int softShadowLayers[SOFT_SHADOW_LIGHTS]; // -1: casts nothing
 uniform float softShadowAttenuations[SOFT_SHADOW_LIGHTS]; // what a full shadow takes away, 0 to 1
