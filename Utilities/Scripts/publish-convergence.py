@@ -22,7 +22,7 @@ FEW_POINTS = {
     "cascaded": ["edge_0=2", "edge_1=2", "edge_2=2"],
     "fassalss": ["level=0"],
 }
-TOLERANCES = (0.03, 0.01)
+TOLERANCES = (0.02, 0.01)
 GOAL = 0.01
 DOCUMENT = "Documentation/Techniques/Convergence.md"
 
