@@ -207,6 +207,11 @@ void AddCommonOptions(Technique& technique, vtkSoftShadowPass* pass)
     pass, Split, "split", "parts along an edge of every light, each with a depth map of its own"));
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, EarlyOut, "early_out",
     "prove pixels lit or blocked before filtering them; the result is the same"));
+}
+
+//--------------------------------------------------------------------------------------------------
+void AddPictureOptions(Technique& technique, vtkSoftShadowPass* pass)
+{
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, SmoothTerminator, "smooth_terminator",
     "shade coarse bodies with smooth normals as the smooth surfaces that they stand for"));
 }

@@ -21,6 +21,9 @@ namespace softshadows
 /// Appends the options of every technique, properties of vtkSoftShadowPass.
 void AddCommonOptions(Technique& technique, vtkSoftShadowPass* pass);
 
+/// Appends, behind the technique's own, those that change pictures and not the visibility.
+void AddPictureOptions(Technique& technique, vtkSoftShadowPass* pass);
+
 /// A technique with the common options, its passes of the example's class.
 template <typename Pass>
 Technique MakeTechnique(const std::string& name, const std::string& meaning, Pass* example)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Technique.h"
+#include "TechniqueOptions.h"
 
 namespace softshadows
 {
@@ -20,17 +20,25 @@ Technique MakeAdaptiveSampledTechnique();
 //--------------------------------------------------------------------------------------------------
 const std::vector<Technique>& GetTechniques()
 {
-  static const std::vector<Technique> techniques = {
-    MakeSampledTechnique(),
-    MakePercentageCloserTechnique(),
-    MakeSeparableTechnique(),
-    MakeScreenSpaceTechnique(),
-    MakeCascadedTechnique(),
-    MakeBilateralTechnique(),
-    MakeVirtualTechnique(),
-    MakeMarchedTechnique(),
-    MakeAdaptiveSampledTechnique(),
-  };
+  static const std::vector<Technique> techniques = []
+  {
+    std::vector<Technique> all = {
+      MakeSampledTechnique(),
+      MakePercentageCloserTechnique(),
+      MakeSeparableTechnique(),
+      MakeScreenSpaceTechnique(),
+      MakeCascadedTechnique(),
+      MakeBilateralTechnique(),
+      MakeVirtualTechnique(),
+      MakeMarchedTechnique(),
+      MakeAdaptiveSampledTechnique(),
+    };
+    for (Technique& technique : all)
+    {
+      AddPictureOptions(technique, technique.Create());
+    }
+    return all;
+  }();
   return techniques;
 }
 

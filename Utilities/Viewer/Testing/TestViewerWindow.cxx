@@ -194,7 +194,7 @@ TEST_F(ViewerWindows, LetsTheRestingPictureConverge)
   vtkSoftShadowPass* pass = this->Frame().GetScene().GetPass();
   pass->SetProgressiveTolerance(0.05);
   EXPECT_FALSE(pass->GetRefining());
-  this->Rest(64);
+  this->Rest(256); // the noise of fewer rays would be as large as the technique's error
   const double before = this->Frame().GetRmse();
   this->Press("p");
   EXPECT_TRUE(pass->GetRefining());
