@@ -43,9 +43,6 @@ int CheckUnit(int unit, vtkTextureUnitManager* units)
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkShadowTextureUnit::~vtkShadowTextureUnit() = default;
-
-//------------------------------------------------------------------------------
 // One beyond VTK's if there is any: VTK takes its own for a moment whenever it makes a texture.
 int vtkShadowTextureUnit::Reserve(vtkOpenGLRenderWindow* window)
 {

@@ -21,7 +21,7 @@ class VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowTextureUnit
 {
 public:
   vtkShadowTextureUnit() = default;
-  ~vtkShadowTextureUnit();
+  ~vtkShadowTextureUnit() = default;
   vtkShadowTextureUnit(const vtkShadowTextureUnit&) = delete;
   vtkShadowTextureUnit& operator=(const vtkShadowTextureUnit&) = delete;
 
