@@ -42,7 +42,7 @@ using Change = std::function<void()>;
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkActor> AddBall(BallScene& scene)
 {
-  const auto ball = MakeSphereActor({ { 0.0, 0.0, 0.9 } }, 0.5, 24);
+  auto ball = MakeSphereActor({ { 0.0, 0.0, 0.9 } }, 0.5, 24);
   scene.Renderer->AddActor(ball);
   return ball;
 }
@@ -102,7 +102,7 @@ vtkSmartPointer<vtkActor> AddSheet(BallScene& scene, vtkTexture* texture)
   sheet->SetPoint1(0.7, -0.5, 0.8);
   sheet->SetPoint2(-0.7, 0.5, 0.8);
   texture->InterpolateOff();
-  const auto actor = MakeActor(sheet);
+  auto actor = MakeActor(sheet);
   actor->SetTexture(texture);
   scene.Renderer->AddActor(actor);
   return actor;

@@ -126,7 +126,7 @@ class ChangesOfColor : public testing::TestWithParam<Case>
 /// The ball scene without its ball.
 BallScene MakeEmptyScene()
 {
-  const BallScene scene = MakeBallScene();
+  BallScene scene = MakeBallScene();
   scene.Renderer->RemoveActor(scene.Ball);
   return scene;
 }
@@ -140,7 +140,7 @@ TEST_P(ChangesOfShape, ShowAtOnceWhatAFreshRendererShows)
   const auto change = this->GetParam().What.Make(scene);
   const auto makePass = [this]
   {
-    const auto pass = this->GetParam().Way.Make(Effort::Quick, Weights::Mean);
+    auto pass = this->GetParam().Way.Make(Effort::Quick, Weights::Mean);
     pass->SetMapSize(256);
     return pass;
   };
