@@ -40,10 +40,15 @@ extern "C" void RemoveUnfinished()
 }
 
 //--------------------------------------------------------------------------------------------------
+// The default action is put back only when all is removed: the same signal may come twice at once, as
+// from timeout(1), and another thread would take it.
 extern "C" void RemoveAndEnd(int signalNumber)
 {
   RemoveUnfinished();
-  raise(signalNumber); // the default action again: SA_RESETHAND
+  struct sigaction action = {};
+  action.sa_handler = SIG_DFL;
+  sigaction(signalNumber, &action, nullptr);
+  raise(signalNumber); // waits until this returns
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -57,7 +62,6 @@ void InstallHandler(int signalNumber)
   }
   action = {};
   action.sa_handler = RemoveAndEnd;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
   sigaction(signalNumber, &action, nullptr);
 }
 
