@@ -73,7 +73,7 @@ public:
   enum ChangeType
   {
     ALL = 0,   ///< its square: what is by chance and what is not
-    COMMON = 1 ///< the product of both halves' changes, whose mean is the square without chance
+    COMMON = 1 ///< with half of what is by chance: the product of both halves' changes has none
   };
 
   /**

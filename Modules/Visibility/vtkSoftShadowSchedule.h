@@ -9,9 +9,10 @@
  *  - of the maps: the mean of the first 64 points is drawn with maps of half the size and of the full
  *    size. Where texels fall is chance, another for each point: that averages out, and is in the error
  *    of the points. What does not is common to both halves of the points; the mean product of their
- *    differences is its square. Where it falls by the factor r per doubling, what is left is
- *    r / (1 - r) of the difference; r is 0.55, a little over the half that a bias of texels makes. While this is over half the tolerance
- *    and memory allows it, maps of twice the size are taken.
+ *    differences is its square. That is known by chance only, so half of the chance counts. Where it
+ *    falls by the factor r per doubling, what is left is r / (1 - r) of the difference; r is 0.55, a
+ *    little over the half that a bias of texels makes. While this is over half the tolerance and memory
+ *    allows it, maps of twice the size are taken.
  *  - of the points: after 128, 256, 512, ... points the mean is compared with the one at half as many.
  *    The two halves are scrambled nets, as good as independent; half their difference, which is the
  *    change of the mean, is the standard error of the mean.

@@ -3,7 +3,8 @@
 
 // Per tile of pixels, the mean square of the difference between two visibilities, or the mean product of
 // the differences of both halves of their points: what is by chance in one half is not in the other, so
-// that in the mean the square of what is common is left. Few pixels with a value count as a quarter of
+// that in the mean the square of what is common is left. How well that is known is chance too, so half
+// of the chance counts. Few pixels with a value count as a quarter of
 // the tile, so that a single one decides nothing. Pixels at silhouettes
 // are left out: which of two surfaces they show hangs on a hair, and no mean over a light tells.
 
@@ -64,7 +65,7 @@ void main()
         float change = share * texelFetch(sum, pixel, 0).r - texelFetch(held, pixel, 0).r;
         float first =
           commonOnly ? texelFetch(halfMean, pixel, 0).r - texelFetch(heldHalfMean, pixel, 0).r : change;
-        squares += first * (2.0 * change - first);
+        squares += 0.5 * (change * change + first * (2.0 * change - first));
         count += 1.0;
       }
     }
