@@ -11,6 +11,7 @@
 
 #include "vtkShadowBlocker.h"
 #include "vtkShadowDepthMap.h"
+#include "vtkShadowFootprint.h"
 #include "vtkShadowFullscreenVS.h"
 #include "vtkShadowKernel.h"
 #include "vtkShadowLight.h"
@@ -33,6 +34,7 @@ const char* FindSnippet(const std::string& name)
   const std::pair<const char*, const char*> snippets[] = {
     { "vtkShadowBlocker", vtkShadowBlocker },
     { "vtkShadowDepthMap", vtkShadowDepthMap },
+    { "vtkShadowFootprint", vtkShadowFootprint },
     { "vtkShadowKernel", vtkShadowKernel },
     { "vtkShadowLight", vtkShadowLight },
     { "vtkShadowPointSums", vtkShadowPointSums },

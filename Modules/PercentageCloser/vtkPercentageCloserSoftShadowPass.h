@@ -68,7 +68,8 @@ public:
   ///@{
   /**
    * Whether the blocker search leaves out taps that no ray from the receiver to the light can meet:
-   * those outside the light's image at their own depth. Without it, as in the paper, a bump beside
+   * those outside the light's image at their own depth; and the filter too, where the light's centre
+   * sees the receiver, those outside 1.5 times that image. Without it, as in the paper, a bump beside
    * the receiver shadows it: on the bunny under a light of a fifth of its distance RMSE 0.057 instead of
    * 0.043, false shadows on 6213 pixels instead of 91. Default is on.
    */

@@ -97,7 +97,7 @@ public:
 
   ///@{
   /**
-   * Whether the blocker search leaves out what no ray from the receiver to the light can meet: taps
+   * Whether the search and the filter leave out what no ray from the receiver to the light can meet: taps
    * outside the light's image at their own depth, as in vtkPercentageCloserSoftShadowPass. The paper
    * takes all taps. Default is on.
    */

@@ -22,7 +22,7 @@ Technique MakePercentageCloserTechnique()
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, Footprint, "footprint",
-    "search only where rays to the light pass; off: as in the paper"));
+    "search and filter only where rays to the light pass; off: as in the paper"));
   technique.Draft = { { "search_width", "7" }, { "filter_width", "15" }, { "map_size", "512" } };
   technique.Best = { { "split", "4" } };
   return technique;

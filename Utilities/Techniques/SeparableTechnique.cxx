@@ -40,8 +40,8 @@ Technique MakeSeparableTechnique()
     pass, Beta, "beta", "how far off the plane a row of the filter may be; 0 reuses none"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, Reuse, "reuse",
     "shares of the kernel's depth, or of the light's and the view's", { "kernel", "published" }));
-  technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(
-    pass, Footprint, "footprint", "search only where rays to the light can meet a blocker"));
+  technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, Footprint, "footprint",
+    "search and filter only where rays to the light can meet a blocker"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, RowAxis, "row_axis", "axis of the light that rows lie along", { "s", "t" }));
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(

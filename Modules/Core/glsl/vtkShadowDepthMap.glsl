@@ -134,9 +134,58 @@ float mapDepth(vec2 st, float layer)
   return depth < emptyDepth ? depth : infinitelyFar;
 }
 
+// Of a surface that shows in a texel: how far in front it may be, in biases, to be looked at for
+// whether it meets the receiver's plane nearby; and by how much more texels may differ that show it.
+const float nearbyGap = 10.0;
+const float nearbyRise = 20.0;
+// Surfaces bend towards the edge where they meet others: in shares of the way there.
+const float nearbyBend = 1.5;
+
+// How far the texel around st is in front of the receiver's plane, in depth.
+float gapOf(MapPoint point, vec2 texel, float layer)
+{
+  vec2 center = texel / depthMapSize;
+  return planeDepth(point, center) - mapDepth(center, layer);
+}
+
+// Whether the surface that a texel shows, given by its centre in texels and its depth, continues to the
+// receiver's plane before it is over st, within a texel of it. The centre then lies beyond a concave
+// edge and st before it, since nothing can be seen behind one. Texels on the other side of st must show
+// the plane itself.
+bool meetsPlane(MapPoint point, vec2 st, vec2 texel, float depth, float layer)
+{
+  float gap = planeDepth(point, texel / depthMapSize) - depth;
+  if (!point.facesCenter || gap > nearbyGap * point.bias)
+  {
+    return false;
+  }
+  vec2 offset = st * depthMapSize - texel;
+  vec2 side = vec2(offset.x < 0.0 ? -1.0 : 1.0, offset.y < 0.0 ? -1.0 : 1.0);
+  vec2 sideX = vec2(side.x, 0.0);
+  vec2 sideY = vec2(0.0, side.y);
+  vec2 rise = vec2(gapOf(point, texel - sideX, layer), gapOf(point, texel - sideY, layer)) - gap;
+  // Where it rises by more, something else begins.
+  rise = mix(rise, vec2(0.0), greaterThan(rise, vec2(nearbyRise * point.bias)));
+  vec2 fall = rise * min(nearbyBend * abs(offset), vec2(1.0));
+  bvec3 meets = greaterThanEqual(vec3(fall, fall.x + fall.y), vec3(gap));
+  if (!any(meets))
+  {
+    return false;
+  }
+  vec3 beside = vec3(gapOf(point, texel + sideX, layer), gapOf(point, texel + sideY, layer),
+    gapOf(point, texel + side, layer));
+  return any(lessThanEqual(mix(vec3(infinitelyFar), abs(beside), meets), vec3(point.bias)));
+}
+
+// Whether the texel around st, of that depth, blocks a ray that crosses the map at st.
+bool blocksAt(MapPoint point, vec2 st, float depth, float layer)
+{
+  return isBlocker(point, st, depth) && !meetsPlane(point, st, floor(st * depthMapSize) + 0.5, depth, layer);
+}
+
 bool isBlocked(MapPoint point, vec2 st, float layer)
 {
-  return isBlocker(point, st, mapDepth(st, layer));
+  return blocksAt(point, st, mapDepth(st, layer), layer);
 }
 
 // Whether the point of the emitter at window coordinates e is on the camera's side of the receiver's

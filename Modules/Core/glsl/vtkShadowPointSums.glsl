@@ -42,8 +42,14 @@ vec2 blockedTexels(MapPoint point, int i, float layer)
     vec4(slope.y - slope.x, slope.y + slope.x, slope.x - slope.y, -slope.x - slope.y);
   weights *= vec4(lessThan(depths, min(planes, vec4(point.std.z))));
   vec4 reaches = vec4(0.0);
+  vec4 sideX = vec4(-0.5, 0.5, 0.5, -0.5);
   for (int k = 0; k < 4; ++k)
   {
+    vec2 texel = corner + vec2(sideX[k], k < 2 ? 0.5 : -0.5);
+    if (weights[k] > 0.0 && meetsPlane(point, point.std.xy, texel, depths[k], layer))
+    {
+      weights[k] = 0.0;
+    }
     reaches[k] = weights[k] > 0.0 ? reachOf(i, point.std.z, depths[k]) : 0.0;
   }
   return vec2(dot(weights, vec4(1.0)), dot(weights, reaches));
@@ -71,7 +77,7 @@ vec4 pointSums(MapFrame frame)
     else
     {
       float depth = mapDepth(point.std.xy, layer);
-      blocked.x = isBlocker(point, point.std.xy, depth) ? 1.0 : 0.0;
+      blocked.x = blocksAt(point, point.std.xy, depth, layer) ? 1.0 : 0.0;
       blocked.y = blocked.x > 0.0 ? reachOf(i, point.std.z, depth) : 0.0;
     }
     sums.rgb += sampleWeights[i] * vec3(1.0, 1.0 - blocked.x, blocked.y);

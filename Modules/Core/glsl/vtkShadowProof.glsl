@@ -25,9 +25,10 @@ int sameInQuad(int value)
 // Compares the receiver's plane with all map texels in the rectangle center +- halfWidth.
 DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
 {
-  // Half a texel more on each side: a tap reads the texel that it lies in.
-  vec2 low = point.std.xy - halfWidth;
-  vec2 high = point.std.xy + halfWidth;
+  // Half a texel more on each side: a tap asks the four texels around it.
+  float texel = 0.5 / depthMapSize;
+  vec2 low = point.std.xy - halfWidth - texel;
+  vec2 high = point.std.xy + halfWidth + texel;
   DepthRange range = DepthRange(false, all(greaterThan(low, vec2(0.0))) && all(lessThan(high, vec2(1.0))), emptyDepth);
   // The finest level on which the rectangle touches at most 4 texels along each axis.
   vec2 extent = (high - low) * depthMapSize;
@@ -43,7 +44,6 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
   float span = float(2 << level) / depthMapSize; // edge of a pyramid texel in (s, t)
   ivec2 first = clamp(ivec2(floor(low / span)), ivec2(0), levelSize - 1);
   ivec2 last = clamp(ivec2(floor(high / span)), ivec2(0), levelSize - 1);
-  float texel = 0.5 / depthMapSize;
   for (int y = first.y; y <= last.y; ++y)
   {
     for (int x = first.x; x <= last.x; ++x)

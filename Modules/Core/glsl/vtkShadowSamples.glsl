@@ -69,7 +69,7 @@ float hardVisibility(MapPoint point, float layer)
     for (int x = 0; x <= filterSize; ++x)
     {
       vec2 st = (texel + vec2(x, y) + 0.5) / depthMapSize;
-      row += isBlocked(point, st, layer) ? 0.0 : insideShare(x, cut.x);
+      row += isBlocker(point, st, mapDepth(st, layer)) ? 0.0 : insideShare(x, cut.x);
     }
     lit += row * insideShare(y, cut.y);
   }

@@ -61,7 +61,7 @@ float marchRay(MapPoint point, vec2 e, float jitter, float reach)
     {
       vec2 meeting = point.std.xy + e * kernelScale * max(rise, 0.0);
       float there = mapDepth(meeting, mapLayer);
-      if (abs(there - depth) <= continuity * gap && isBlocker(point, meeting, there))
+      if (abs(there - depth) <= continuity * gap && blocksAt(point, meeting, there, mapLayer))
       {
         return 1.0;
       }

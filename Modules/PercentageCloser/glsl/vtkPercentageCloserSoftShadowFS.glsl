@@ -5,24 +5,16 @@
 
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowFootprint
 //SoftShadows::Include vtkShadowKernel
 //SoftShadows::Include vtkShadowBlocker
 //SoftShadows::Include vtkShadowProof
 
 uniform mat4 viewToMap;
-uniform vec2 kernelScale;
 uniform float mapLayer;
 uniform int searchWidth; // taps along an edge
 uniform int filterWidth;
 uniform float weight;
-uniform int footprint; // 1: the search leaves out what no ray from the receiver to the light meets
-
-// Whether a blocker of that depth, so far from the receiver in the map, lies in the light's image there.
-bool reaches(MapPoint point, vec2 offset, float depth)
-{
-  vec2 image = kernelScale * (point.std.z - depth) + 1.0 / depthMapSize;
-  return all(lessThanEqual(abs(offset), image));
-}
 
 // The mean linear depth of the taps that block, as a map depth; infinitelyFar if none does.
 float searchBlockers(MapPoint point, vec2 halfWidth)
@@ -36,7 +28,7 @@ float searchBlockers(MapPoint point, vec2 halfWidth)
       vec2 tap = vec2(tapCoordinate(x, searchWidth), tapCoordinate(y, searchWidth));
       vec2 st = point.std.xy + tap * halfWidth;
       float depth = mapDepth(st, mapLayer);
-      if (isBlocker(point, st, depth) && (footprint == 0 || reaches(point, tap * halfWidth, depth)))
+      if (isBlocker(point, st, depth) && reaches(point, tap * halfWidth, depth))
       {
         float tapShare = tapWeight(tap);
         sum += tapShare * linearDepth(depth);
@@ -49,6 +41,7 @@ float searchBlockers(MapPoint point, vec2 halfWidth)
 
 float filterVisibility(MapPoint point, vec2 halfWidth)
 {
+  bool centerLit = !isBlocked(point, point.std.xy, mapLayer);
   float lit = 0.0;
   float total = 0.0;
   for (int y = 0; y < filterWidth; ++y)
@@ -58,7 +51,7 @@ float filterVisibility(MapPoint point, vec2 halfWidth)
       vec2 tap = vec2(tapCoordinate(x, filterWidth), tapCoordinate(y, filterWidth));
       float tapShare = tapWeight(tap);
       bool blocked = !facesPoint(point, kernelScale, tap) ||
-        isBlocked(point, point.std.xy + tap * halfWidth, mapLayer);
+        blocksFilter(point, tap * halfWidth, centerLit, mapLayer);
       lit += blocked ? 0.0 : tapShare;
       total += tapShare;
     }

@@ -136,13 +136,14 @@ vec2 searchBlockers(MapPoint point, float reach)
 // second, and the end; and in w, of all taps.
 void addMiddleRow(MapPoint point, float halfWidth, float beside, int taps, inout vec4 row)
 {
+  bool centerLit = !isBlocked(point, point.std.xy, mapLayer);
   for (int i = 0; i < taps; ++i)
   {
     float x = tapCoordinate(i, taps);
     float tapShare = lineWeight(x, rowAxis);
     row.w += tapShare;
-    vec2 st = point.std.xy + x * halfWidth * rowAxis + beside * columnAxis;
-    if (isBlocked(point, st, mapLayer))
+    vec2 offset = x * halfWidth * rowAxis + beside * columnAxis;
+    if (blocksFilter(point, offset, centerLit, mapLayer))
     {
       row.xyz += abs(x) < filterNodes.x - nodeSlack
         ? vec3(tapShare, 0.0, 0.0)

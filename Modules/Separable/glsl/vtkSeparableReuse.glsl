@@ -1,7 +1,7 @@
 // From a point of the map to the pixel that sees it, and whether that pixel's row can stand for the
 // row that is needed there.
 
-uniform sampler2DArray receiverPoints; // (s, t, d, reach of the search; < 0: blocked, 0: no receiver)
+uniform sampler2DArray receiverPoints; // (s, t, d, reach of the search; < 0: blocked, 0: none to reuse)
 uniform mat4 mapToScreen;              // homogeneous map coordinates to texture coordinates of the screen
 uniform int reusePublished;            // 1: the paper's own criterion
 uniform vec2 reusePublishedLimits;     // alpha, beta as distances from the light and from the camera

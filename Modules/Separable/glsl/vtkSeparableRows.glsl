@@ -9,21 +9,13 @@ const vec2 filterNodes = vec2(0.5, 0.8);
 const float nodeSlack = 1e-4;
 
 //SoftShadows::Include vtkShadowProof
+//SoftShadows::Include vtkShadowFootprint
 
 uniform vec2 rowAxis;
 uniform vec2 columnAxis;
-uniform vec2 kernelScale;
 uniform float mapLayer;
 uniform int searchWidth; // taps along an edge
 uniform int filterWidth;
-uniform int footprint; // 1: the search leaves out what no ray from the receiver to the light meets
-
-// Whether a blocker of that depth, so far from the receiver in the map, lies in the light's image there.
-bool reaches(MapPoint point, vec2 offset, float depth)
-{
-  vec2 image = kernelScale * (point.std.z - depth) + 1.0 / depthMapSize;
-  return footprint == 0 || all(lessThanEqual(abs(offset), image));
-}
 
 // The kernel's half width per unit of depth difference, along an axis.
 float scaleAlong(vec2 axis)
@@ -78,12 +70,13 @@ void addSearchRow(MapPoint point, float y, vec2 halfWidth, int taps, inout vec2 
 // Adds one row of the filter, read from the map: the weights of the blocked taps, and of all taps.
 void addFilterRow(MapPoint point, float y, vec2 halfWidth, int taps, inout vec2 weights)
 {
+  bool centerLit = !isBlocked(point, point.std.xy, mapLayer);
   for (int i = 0; i < taps; ++i)
   {
     vec2 tap = tapCoordinate(i, taps) * rowAxis + y * columnAxis;
     float tapShare = tapWeight(tap);
     bool blocked = !facesPoint(point, kernelScale, tap) ||
-      isBlocked(point, point.std.xy + tap * halfWidth, mapLayer);
+      blocksFilter(point, tap * halfWidth, centerLit, mapLayer);
     weights += tapShare * vec2(blocked, 1.0);
   }
 }

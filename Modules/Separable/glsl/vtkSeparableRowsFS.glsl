@@ -42,19 +42,22 @@ void main()
     point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true);
   }
   bool blocked = isBlocked(point, point.std.xy, mapLayer);
+  // A plane that turns its back on the light's centre has rows for nobody, itself included.
+  bool serves = served && point.facesCenter;
   // No ray to the light meets a blocker where a pixel was proved lit.
-  bool lit = provedByFootprint == 1 && !blocked && point.facesCenter;
+  bool lit = provedByFootprint == 1 && !blocked;
   // All pixels of a quad search, or none: the pyramid is looked up on one level for the four of them.
   float reach = 0.0;
-  if (sameInQuad(served && !lit ? 1 : 0) == 1)
+  if (sameInQuad(serves && !lit ? 1 : 0) == 1)
   {
     float found = searchReach(point);
-    reach = lit ? 0.0 : found;
+    reach = serves && !lit ? found : 0.0;
   }
   if (!served)
   {
     discard;
   }
-  gl_FragData[0] = vec4(point.std, (blocked ? -1.0 : 1.0) * max(reach, leastReach));
+  float side = point.facesCenter ? (blocked ? -1.0 : 1.0) : 0.0;
+  gl_FragData[0] = vec4(point.std, side * max(reach, leastReach));
   gl_FragData[1] = reach > 0.0 ? searchRow(point, reach) : vec4(0.0);
 }
