@@ -18,8 +18,9 @@
 #include "vtkSmartPointer.h" // For members
 
 #include <functional> // For closed forms
-#include <string>     // For names
-#include <vector>     // For lists
+#include <ostream>
+#include <string> // For names
+#include <vector> // For lists
 
 class vtkActor;
 class vtkAreaLight;
@@ -105,6 +106,9 @@ struct NamedScene
 {
   std::string Name;
   SceneFactory Make;
+
+  /// Else GoogleTest prints the bytes, padding and all, and valgrind complains.
+  friend void PrintTo(const NamedScene& scene, std::ostream* os) { *os << scene.Name; }
 };
 
 /// All of the above that have uniform weights. Makes no scene, so it may be called anywhere.

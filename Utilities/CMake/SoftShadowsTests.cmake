@@ -39,8 +39,45 @@ macro (_softshadows_find_test_packages)
   endif ()
 endmacro ()
 
+# Several test files become one source: most of the time of a test file goes into its headers. Each
+# file keeps a namespace of its own; what all of them include comes first, outside of the namespaces.
+# Files that are no tests (other files call them) stay as they are.
+function (_softshadows_unite_tests target)
+  set(includes "${CMAKE_CURRENT_BINARY_DIR}/${target}Includes.h")
+  set(lines)
+  get_target_property(sources "${target}" SOURCES)
+  foreach (source IN LISTS sources)
+    if (source MATCHES "(^|/)(Unit)?Test[^/]*\\.cxx$")
+      file(STRINGS "${source}" found REGEX "^#include ")
+      list(APPEND lines ${found})
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+    else ()
+      set_source_files_properties("${source}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif ()
+  endforeach ()
+  list(REMOVE_DUPLICATES lines)
+  list(JOIN lines "\n" lines)
+  file(CONFIGURE OUTPUT "${includes}" CONTENT "#pragma once\n${lines}\n" @ONLY)
+  set_target_properties("${target}" PROPERTIES
+    UNITY_BUILD ON
+    UNITY_BUILD_BATCH_SIZE 6
+    UNITY_BUILD_UNIQUE_ID SOFTSHADOWS_UNIT
+    UNITY_BUILD_CODE_BEFORE_INCLUDE
+      "#include \"${includes}\"\nnamespace SOFTSHADOWS_UNIT {\n// NOLINTNEXTLINE(bugprone-suspicious-include)"
+    UNITY_BUILD_CODE_AFTER_INCLUDE "}")
+  # Includes in quotes name files beside the tests.
+  target_include_directories("${target}" PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Fixtures in anonymous namespaces are right in a file of tests, which nobody includes but this.
+    target_compile_options("${target}" PRIVATE -Wno-subobject-linkage)
+  endif ()
+endfunction ()
+
 #---------------------------------------------------------------------------------------------------
 function (_softshadows_finish_gtests target label)
+  if (SOFTSHADOWS_UNITE_TESTS)
+    _softshadows_unite_tests("${target}")
+  endif ()
   if (EXISTS "${_softshadows_source_dir}/Testing/Support/CMakeLists.txt")
     target_link_libraries("${target}" PRIVATE SoftShadowsTesting)
   endif ()

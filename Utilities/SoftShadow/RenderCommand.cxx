@@ -92,7 +92,11 @@ void Render(const RenderOptions& options)
   SayWhatIsNotShown(models);
 
   const VirtualDisplay display; // outlives the frame, whose window it shows
-  SceneFrame frame(built, pass, scene.Width, scene.Height);
+  // Never destroyed: VTK looks for each buffer that it frees among all of them, which takes longer than
+  // the picture where there are thousands of objects. The process ends after this command.
+  static SceneFrame* kept = nullptr;
+  kept = new SceneFrame(built, pass, scene.Width, scene.Height);
+  SceneFrame& frame = *kept;
   if (options.Converge > 0.0)
   {
     frame.Converge(options.Converge, options.Frames);

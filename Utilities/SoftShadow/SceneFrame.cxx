@@ -5,51 +5,20 @@
 
 #include "PassImages.h"
 
-#include "vtkActor.h"
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
-#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace softshadows
 {
-namespace
-{
-
-// VTK looks for each buffer that is freed among all, from the lowest address of their arrays on: in
-// any other order thousands of props take a time that grows with the square of their number.
-void ReleaseInOrder(const std::vector<vtkSmartPointer<vtkActor>>& actors, vtkWindow* window)
-{
-  std::vector<std::pair<const void*, vtkActor*>> order;
-  for (vtkActor* actor : actors)
-  {
-    auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-    vtkPoints* points = mesh ? mesh->GetPoints() : nullptr;
-    order.emplace_back(points ? points->GetData() : nullptr, actor);
-  }
-  std::sort(order.begin(), order.end(),
-    [](const auto& a, const auto& b) { return std::less<const void*>()(a.first, b.first); });
-  for (const auto& entry : order)
-  {
-    entry.second->ReleaseGraphicsResources(window);
-  }
-}
-
-}
-
 //--------------------------------------------------------------------------------------------------
 SceneFrame::SceneFrame(const BuiltScene& scene, vtkSoftShadowPass* pass, int width, int height)
   : Scene(scene)
@@ -81,7 +50,6 @@ SceneFrame::~SceneFrame()
   // While the context lives.
   this->Scene.Renderer->SetPass(nullptr);
   this->Pass->ReleaseGraphicsResources(this->Window);
-  ReleaseInOrder(this->Scene.Actors, this->Window);
   this->Window->RemoveRenderer(this->Scene.Renderer);
 }
 

@@ -5,18 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ostream>
-
-namespace SoftShadowsTesting
-{
-
-/// Else GoogleTest prints the bytes, padding and all, and valgrind complains.
-static void PrintTo(const NamedScene& scene, std::ostream* os)
-{
-  *os << scene.Name;
-}
-
-}
 
 using namespace SoftShadowsTesting;
 
