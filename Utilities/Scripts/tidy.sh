@@ -5,7 +5,7 @@
 # The build folder (default: build/test) must be built, for the generated headers.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
-build="${1:-$root/build/test}"
+build="$(realpath "${1:-$root/build/test}")"
 pattern="${2:-(Modules|Testing|Utilities|Examples)/.*}"
 if [ ! -e "$build/compile_commands.json" ]; then
     echo "$build has no compile_commands.json: configure it first" >&2
@@ -13,7 +13,9 @@ if [ ! -e "$build/compile_commands.json" ]; then
 fi
 log="$build/tidy.log"
 status=0
-run-clang-tidy -quiet -p "$build" -j "$(nproc)" "^$root/$pattern" >"$log" 2>&1 || status=$?
+# Also tests that are compiled several at once (SOFTSHADOWS_UNITE_TESTS).
+files="^($root/$pattern|$build/$pattern/Unity/.*)"
+run-clang-tidy -quiet -p "$build" -j "$(nproc)" "$files" >"$log" 2>&1 || status=$?
 sed -i 's/\x1b\[[0-9;]*m//g' "$log" # colours
 grep -E -A 4 '(warning|error):' "$log" || true
 count="$(grep -c '^clang-tidy' "$log" || true)"
