@@ -12,13 +12,26 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <cmath>     // For roots
-#include <stdexcept> // For errors
+#include <charconv>     // For numbers
+#include <cmath>        // For roots
+#include <stdexcept>    // For errors
+#include <string>       // For their text
+#include <system_error> // For errc
 
 namespace softshadows
 {
 namespace
 {
+
+//--------------------------------------------------------------------------------------------------
+// Whether all of the text is a number.
+template <typename Number>
+bool ReadNumber(const std::string& text, Number& number)
+{
+  const char* const end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, number);
+  return parsed.ec == std::errc() && parsed.ptr == end;
+}
 
 //--------------------------------------------------------------------------------------------------
 int GetNumber(const ContestantChoice& choice, const std::string& option, int whenAbsent)
@@ -28,9 +41,8 @@ int GetNumber(const ContestantChoice& choice, const std::string& option, int whe
   {
     return whenAbsent;
   }
-  size_t used = 0;
-  const int number = std::stoi(found->second, &used);
-  if (used != found->second.size() || number < 1)
+  int number = 0;
+  if (!ReadNumber(found->second, number) || number < 1)
   {
     throw std::invalid_argument(
       choice.Technique + ": " + option + " must be a whole number above 0");
@@ -93,7 +105,11 @@ std::unique_ptr<Contestant> MakeContestant(const ContestantChoice& choice,
   {
     ContestantChoice rest = choice;
     rest.Options.erase("light_scale");
-    const double scale = std::stod(choice.Options.at("light_scale"));
+    double scale = 0.0;
+    if (!ReadNumber(choice.Options.at("light_scale"), scale) || !(scale > 0.0) || std::isinf(scale))
+    {
+      throw std::invalid_argument(choice.Technique + ": light_scale must be a number above 0");
+    }
     const SceneFactory makeScaled = [makeScene, scale]
     {
       vtkSmartPointer<vtkRenderer> renderer = makeScene();

@@ -3,6 +3,7 @@
 // One small scene with a few contestants, run for real and read back from all reports.
 #include "BenchmarkReport.h"
 #include "BenchmarkRunner.h"
+#include "Contestant.h"
 #include "HtmlReport.h"
 #include "MarkdownReport.h"
 #include "SceneBuilder.h"
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 #include <unistd.h>
 
@@ -355,4 +357,27 @@ TEST(BenchmarkRunner, LeavesOutWhatTheScenesTimeDoesNotSufficeFor)
   EXPECT_NE(result.Contestants[1].Failure.find("left out"), std::string::npos);
 }
 
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(Contestants, NameTheOptionThatIsNoNumber)
+{
+  for (const ContestantChoice& choice : { ContestantChoice{ "vtk", { { "map_size", "big" } } },
+         ContestantChoice{ "rays", { { "samples", "99999999999" } } },
+         ContestantChoice{ "sampled", { { "supersample", "2x" } } },
+         ContestantChoice{ "sampled", { { "light_scale", "wide" } } } })
+  {
+    const std::string option = choice.Options.begin()->first;
+    try
+    {
+      MakeContestant(
+        choice, [] { return vtkSmartPointer<vtkRenderer>::New(); }, 8, 8, MakePass);
+      ADD_FAILURE() << option << ": no error";
+    }
+    catch (const std::invalid_argument& error)
+    {
+      EXPECT_EQ(std::string(error.what()).find(choice.Technique + ": " + option), 0U)
+        << error.what();
+    }
+  }
 }
