@@ -92,10 +92,9 @@ void TechniqueInput::AddTo(CLI::App* command)
     ->add_option(
       "--technique", this->Name, "How shadows are made; see softshadow --list-techniques")
     ->capture_default_str();
-  command
-    ->add_option("--quality", this->Quality,
-      "Settings of the technique: draft, good (its defaults) or best; an --option wins over them")
-    ->capture_default_str();
+  command->add_option("--quality", this->Quality,
+    "Settings of the technique for an error class, as --list-techniques has them: draft, good or "
+    "best; its defaults if left out; an --option wins over them");
   AddRepeated(command, "--option", this->Options,
     "NAME=VALUE: an option of the technique; may be given again")
     ->type_name("NAME=VALUE");
@@ -104,7 +103,12 @@ void TechniqueInput::AddTo(CLI::App* command)
 //--------------------------------------------------------------------------------------------------
 OptionTexts TechniqueInput::GetOptions() const
 {
-  OptionTexts texts = FindTechnique(this->Name).FindQuality(this->Quality);
+  const Technique& technique = FindTechnique(this->Name);
+  OptionTexts texts;
+  if (!this->Quality.empty())
+  {
+    texts = technique.GetQualityOptions(this->Quality);
+  }
   for (const std::string& text : this->Options)
   {
     texts.push_back(SplitOption(text));

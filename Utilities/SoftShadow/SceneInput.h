@@ -38,15 +38,15 @@ struct SceneInput
 struct TechniqueInput
 {
   std::string Name = "pcss";
-  std::string Quality = "good";
+  std::string Quality;              ///< None: the defaults.
   std::vector<std::string> Options; ///< NAME=VALUE
 
   /// Adds the arguments to a command; must outlive its parsing.
   void AddTo(CLI::App* command);
 
   /**
-   * Those of the quality, then the options, which win. Throws std::runtime_error for unknown names and
-   * texts of another form.
+   * Those of the quality, then the options, which win. Throws std::runtime_error for unknown names,
+   * qualities that the technique does not have and texts of another form.
    */
   OptionTexts GetOptions() const;
 };

@@ -34,8 +34,8 @@ Technique MakeBilateralTechnique()
     pass, MaximumWidth, "maximum_width", "the widest kernel of adaptive, in pixels"));
   technique.Options.push_back(
     SOFTSHADOWS_FLAG_OPTION(pass, SecondAxisFirst, "second_axis_first", "filter along y before x"));
-  technique.Draft = { { "samples", "5" }, { "map_size", "512" } };
-  technique.Best = { { "samples", "100" } };
+  technique.Draft.Options = { { "samples", "4" }, { "map_size", "512" } };
+  technique.Best.Options = { { "samples", "64" }, { "h_r", "0.1" } };
   return technique;
 }
 

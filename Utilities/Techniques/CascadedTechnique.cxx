@@ -87,8 +87,9 @@ Technique MakeCascadedTechnique()
     SOFTSHADOWS_FLAG_OPTION(pass, Tint, "tint", "tint the picture by cascade"));
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(pass, TintLight, "tint_light",
     "light by whose cascades the picture is tinted; -1 for the mean of all"));
-  technique.Draft = { { "edge_0", "2" }, { "edge_1", "2" }, { "edge_2", "1" } };
-  technique.Best = { { "edge_0", "9" }, { "edge_1", "9" }, { "edge_2", "9" },
+  technique.Draft.Options = { { "edge_0", "2" }, { "edge_1", "2" }, { "edge_2", "1" },
+    { "map_size", "512" } };
+  technique.Best.Options = { { "edge_0", "8" }, { "edge_1", "8" }, { "edge_2", "8" },
     { "map_size", "2048" } };
   return technique;
 }
@@ -100,8 +101,8 @@ Technique MakeAdaptiveSampledTechnique()
   Technique technique = MakeTechnique(
     "fassalss", "hard shadows from as many points of the light as each pixel needs", pass);
   AddRefinementOptions(technique, pass);
-  technique.Draft = { { "level", "1" }, { "map_size", "512" } };
-  technique.Best = { { "tolerance", "0.005" }, { "map_size", "2048" } };
+  technique.Draft.Options = { { "level", "1" }, { "map_size", "512" } };
+  technique.Best.Options = { { "tolerance", "0.03" }, { "map_size", "2048" } };
   return technique;
 }
 

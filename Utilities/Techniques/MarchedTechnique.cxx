@@ -25,8 +25,10 @@ Technique MakeMarchedTechnique()
     pass, Pattern, "pattern", "edge in pixels of the pattern of rays; 1: none"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
-  technique.Draft = { { "rays", "16" }, { "steps", "8" }, { "map_size", "512" } };
-  technique.Best = { { "rays", "16" }, { "steps", "8" }, { "split", "4" } };
+  technique.Draft.Options = { { "rays", "16" }, { "map_size", "512" } };
+  technique.Good.Options = { { "split", "2" }, { "rays", "8" }, { "steps", "4" } };
+  technique.Best.Options = { { "split", "4" }, { "rays", "16" }, { "steps", "4" },
+    { "map_size", "4096" } };
   return technique;
 }
 

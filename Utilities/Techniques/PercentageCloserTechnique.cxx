@@ -23,8 +23,11 @@ Technique MakePercentageCloserTechnique()
     pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(pass, Footprint, "footprint",
     "search and filter only where rays to the light pass; off: as in the paper"));
-  technique.Draft = { { "search_width", "7" }, { "filter_width", "15" }, { "map_size", "512" } };
-  technique.Best = { { "split", "4" } };
+  technique.Draft.Options = { { "search_width", "7" }, { "filter_width", "11" },
+    { "map_size", "1024" } };
+  technique.Good.Options = { { "split", "2" }, { "search_width", "7" }, { "filter_width", "11" } };
+  technique.Best.Options = { { "split", "4" }, { "search_width", "7" }, { "filter_width", "7" },
+    { "map_size", "4096" } };
   return technique;
 }
 

@@ -23,8 +23,8 @@ Technique MakeSampledTechnique()
     pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(pass, FilterSize, "filter_size",
     "texels along an edge of the filter over each map; 1 is none"));
-  technique.Draft = { { "samples", "9" }, { "map_size", "512" } };
-  technique.Best = { { "samples", "256" } };
+  technique.Draft.Options = { { "samples", "4" }, { "map_size", "512" } };
+  technique.Best.Options = { { "samples", "64" } };
   return technique;
 }
 

@@ -48,8 +48,12 @@ Technique MakeSeparableTechnique()
     pass, CountReuse, "count_reuse", "count the rows that are reused, in the report"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, DebugView, "debug_view",
     "what is shown in place of visibility", { "none", "search_reuse", "filter_reuse" }));
-  technique.Draft = { { "search_width", "7" }, { "filter_width", "15" }, { "map_size", "512" } };
-  technique.Best = { { "split", "4" } };
+  technique.Draft.Options = { { "search_width", "7" }, { "filter_width", "11" },
+    { "map_size", "1024" }, { "weights", "mean" } };
+  technique.Good.Options = { { "split", "2" }, { "search_width", "7" }, { "filter_width", "7" },
+    { "alpha", "0.05" }, { "beta", "0.05" }, { "weights", "mean" } };
+  technique.Best.Options = { { "split", "4" }, { "search_width", "7" }, { "filter_width", "7" },
+    { "map_size", "4096" }, { "alpha", "0.02" }, { "beta", "0.02" }, { "weights", "mean" } };
   return technique;
 }
 
@@ -63,8 +67,11 @@ Technique MakeScreenSpaceTechnique()
   AddKernelOptions(technique, pass);
   technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
     pass, Beta, "beta", "distance to the plane that taps fade over, in view distances"));
-  technique.Draft = { { "search_width", "7" }, { "filter_width", "15" }, { "map_size", "512" } };
-  technique.Best = { { "split", "4" } };
+  technique.Draft.Options = { { "split", "2" }, { "search_width", "5" }, { "filter_width", "7" },
+    { "map_size", "512" }, { "weights", "mean" } };
+  technique.Good.WhyNone =
+    "it takes 16 parts of the light and five times the time; cascaded meets the class";
+  technique.Best.WhyNone = "64 parts of the light still leave 0.009; cascaded meets the class";
   return technique;
 }
 

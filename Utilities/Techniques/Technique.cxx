@@ -104,28 +104,44 @@ const TechniqueOption& Technique::FindOption(const std::string& name) const
 }
 
 //--------------------------------------------------------------------------------------------------
-const std::vector<std::string>& GetQualities()
+const std::vector<QualityClass>& GetQualities()
 {
-  static const std::vector<std::string> qualities = { "draft", "good", "best" };
+  static const std::vector<QualityClass> qualities = { { "draft", 0.05 }, { "good", 0.02 },
+    { "best", 0.008 } };
   return qualities;
 }
 
 //--------------------------------------------------------------------------------------------------
-const OptionTexts& Technique::FindQuality(const std::string& name) const
+const TechniqueQuality& Technique::FindQuality(const std::string& name) const
 {
-  static const OptionTexts defaults;
-  switch (PlaceOf(GetQualities(), name))
+  std::vector<std::string> known;
+  for (const QualityClass& quality : GetQualities())
+  {
+    known.push_back(quality.Name);
+  }
+  switch (PlaceOf(known, name))
   {
     case 0:
       return this->Draft;
     case 1:
-      return defaults;
+      return this->Good;
     case 2:
       return this->Best;
     default:
-      throw std::runtime_error(
-        "there is no quality '" + name + "'; " + DidYouMean(name, GetQualities()));
+      throw std::runtime_error("there is no quality '" + name + "'; " + DidYouMean(name, known));
   }
+}
+
+//--------------------------------------------------------------------------------------------------
+const OptionTexts& Technique::GetQualityOptions(const std::string& name) const
+{
+  const TechniqueQuality& quality = this->FindQuality(name);
+  if (!quality.Exists())
+  {
+    throw std::runtime_error(
+      "technique '" + this->Name + "' has no quality '" + name + "': " + quality.WhyNone);
+  }
+  return quality.Options;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -190,9 +206,11 @@ void PrintTechniques(std::ostream& os)
       os << "    " << option.Name << "=" << option.Spell(option.Get(pass)) << "  ("
          << option.SpellRange() << ")\n        " << option.Meaning << '\n';
     }
-    for (const std::string& quality : GetQualities())
+    for (const auto& [name, largestError] : GetQualities())
     {
-      os << "    quality " << quality << ": " << SpellOptions(technique.FindQuality(quality))
+      const TechniqueQuality& quality = technique.FindQuality(name);
+      os << "    quality " << name << " (error up to " << largestError
+         << "): " << (quality.Exists() ? SpellOptions(quality.Options) : "none; " + quality.WhyNone)
          << '\n';
     }
   }

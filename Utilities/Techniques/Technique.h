@@ -56,6 +56,25 @@ struct TechniqueOption
 /// A name and a text for each option to be set.
 using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 
+/// Settings that meet an error class, or the reason why the technique has none that do.
+struct TechniqueQuality
+{
+  OptionTexts Options;
+  std::string WhyNone;
+
+  bool Exists() const { return this->WhyNone.empty(); }
+};
+
+/**
+ * A quality is the same class of errors for every technique: the largest root mean square error of
+ * the visibility on the bundled scene Testing/Data/Scenes/bunny.json, silhouettes left out.
+ */
+struct QualityClass
+{
+  std::string Name;
+  double LargestError;
+};
+
 struct Technique
 {
   std::string Name;
@@ -63,21 +82,25 @@ struct Technique
   std::function<vtkSmartPointer<vtkSoftShadowPass>()> Create;
   std::vector<TechniqueOption> Options;
   ///@{
-  /// Settings for a first look, and for the least error; Documentation/Choosing.md has the figures
-  /// they were chosen by. What a pass has by default lies between.
-  OptionTexts Draft;
-  OptionTexts Best;
+  /// The fastest settings found for each class; Documentation/Choosing.md has the figures they were
+  /// chosen by. Good is what a pass has by default, where that meets the class.
+  TechniqueQuality Draft;
+  TechniqueQuality Good;
+  TechniqueQuality Best;
   ///@}
 
   /// Throws std::runtime_error that names the nearest and lists all.
   const TechniqueOption& FindOption(const std::string& name) const;
 
-  /// The settings of a quality. Throws std::runtime_error that lists all.
-  const OptionTexts& FindQuality(const std::string& name) const;
+  /// Whether the technique has it or not. Throws std::runtime_error that lists all.
+  const TechniqueQuality& FindQuality(const std::string& name) const;
+
+  /// The settings of a quality. Throws std::runtime_error that says why there are none.
+  const OptionTexts& GetQualityOptions(const std::string& name) const;
 };
 
-/// draft, good (the passes' defaults) and best.
-const std::vector<std::string>& GetQualities();
+/// draft, good and best.
+const std::vector<QualityClass>& GetQualities();
 
 /// All techniques there are, the simplest first.
 const std::vector<Technique>& GetTechniques();

@@ -37,8 +37,9 @@ Technique MakeVirtualTechnique()
     pass, GridLatency, "grid_latency", "frames that the grid of wanted texels may be old, 0 or 1"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, DebugView, "debug_view",
     "what is shown in place of visibility", { "none", "tiles", "resolution", "kernel" }));
-  technique.Draft = { { "quality", "0.5" } };
-  technique.Best = { { "split", "4" } };
+  technique.Draft.Options = { { "quality", "0.5" } };
+  technique.Good.Options = { { "split", "2" }, { "quality", "0.5" } };
+  technique.Best.Options = { { "split", "4" }, { "quality", "1.5" } };
   return technique;
 }
 

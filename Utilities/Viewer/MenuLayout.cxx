@@ -269,11 +269,16 @@ void MenuLayout::AddSettings(int rows)
 {
   this->AddHeading("Settings  (arrow keys)", "", {});
   std::vector<MenuBox> qualities;
-  for (const std::string& quality : GetQualities())
+  for (const QualityClass& quality : GetQualities())
   {
     const int place = static_cast<int>(qualities.size());
-    qualities.push_back(
-      Button(quality, { Kind::ChooseQuality, place, "" }, place == this->State.GetQualityPlace()));
+    if (!this->State.HasQuality(place))
+    {
+      qualities.push_back({ {}, Look::Faint, quality.Name + ": none", Align::Center, {} });
+      continue;
+    }
+    qualities.push_back(Button(
+      quality.Name, { Kind::ChooseQuality, place, "" }, place == this->State.GetQualityPlace()));
   }
   this->AddButtons(qualities, static_cast<int>(qualities.size()));
   const std::vector<const TechniqueOption*> settings = this->State.GetSettings();

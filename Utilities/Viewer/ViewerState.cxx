@@ -136,7 +136,7 @@ bool ViewerState::PerformOnOptions(const ViewerAction& action)
       this->SetQuality(std::clamp(action.Step, 0, static_cast<int>(GetQualities().size()) - 1));
       return true;
     case Kind::StepQuality:
-      this->SetQuality(Around(this->GetQualityPlace() + action.Step, GetQualities().size()));
+      this->StepQuality(action.Step);
       return true;
     default:
       return false;
@@ -242,7 +242,7 @@ std::map<std::string, double> ViewerState::GetQualityValues(int place) const
 {
   const Technique& technique = this->GetTechnique();
   std::map<std::string, double> values = this->Options[this->TechniquePlace].Defaults;
-  for (const auto& [name, text] : technique.FindQuality(GetQualities()[place]))
+  for (const auto& [name, text] : technique.GetQualityOptions(GetQualities()[place].Name))
   {
     values[name] = technique.FindOption(name).Parse(text);
   }
@@ -250,8 +250,30 @@ std::map<std::string, double> ViewerState::GetQualityValues(int place) const
 }
 
 //--------------------------------------------------------------------------------------------------
+bool ViewerState::HasQuality(int place) const
+{
+  return this->GetTechnique().FindQuality(GetQualities()[place].Name).Exists();
+}
+
+//--------------------------------------------------------------------------------------------------
+void ViewerState::StepQuality(int steps)
+{
+  int place = this->GetQualityPlace();
+  std::size_t tried = 0;
+  do
+  {
+    place = Around(place + steps, GetQualities().size());
+  } while (!this->HasQuality(place) && ++tried < GetQualities().size());
+  this->SetQuality(place);
+}
+
+//--------------------------------------------------------------------------------------------------
 void ViewerState::SetQuality(int place)
 {
+  if (!this->HasQuality(place))
+  {
+    return;
+  }
   std::map<std::string, double>& current = this->Options[this->TechniquePlace].Current;
   const std::map<std::string, double> values = this->GetQualityValues(place);
   if (current != values)
@@ -267,7 +289,7 @@ int ViewerState::GetQualityPlace() const
   const std::map<std::string, double>& current = this->Options[this->TechniquePlace].Current;
   for (int place = 0; place < static_cast<int>(GetQualities().size()); ++place)
   {
-    if (this->GetQualityValues(place) == current)
+    if (this->HasQuality(place) && this->GetQualityValues(place) == current)
     {
       return place;
     }

@@ -66,7 +66,9 @@ public:
   ///@}
 
   ///@{
-  /// Qualities by their place in GetQualities(); -1 if the options are those of none.
+  /// Qualities by their place in GetQualities(); -1 if the options are those of none. One that the
+  /// technique does not have changes nothing.
+  bool HasQuality(int place) const;
   void SetQuality(int place);
   int GetQualityPlace() const;
   ///@}
@@ -138,6 +140,7 @@ private:
 
   void Changed(Change what);
   std::map<std::string, double> GetQualityValues(int place) const;
+  void StepQuality(int steps);
   bool PerformOnLight(const ViewerAction& action);
   bool PerformOnOptions(const ViewerAction& action);
 };

@@ -79,6 +79,8 @@ TEST_F(Help, SuggestsCommandsAndOptions)
   EXPECT_THAT(this->Run("render a.ply -o a.png --frobnicate").Output, Not(HasSubstr("did you")));
   EXPECT_THAT(this->Run("render a.ply -o a.png --quality god").Output,
     HasSubstr("did you mean 'good'? Known are: draft, good, best"));
+  EXPECT_THAT(this->Run("render a.ply -o a.png --technique ssabss --quality best").Output,
+    HasSubstr("technique 'ssabss' has no quality 'best': "));
 }
 
 TEST_F(Help, ManualNamesEveryCommandAndOption)

@@ -130,21 +130,43 @@ TEST_F(ViewerStates, QualitiesSetAllOptions)
 {
   const auto place = [](const std::string& name)
   {
-    const std::vector<std::string>& names = GetQualities();
-    return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+    const std::vector<QualityClass>& all = GetQualities();
+    const auto found = std::find_if(
+      all.begin(), all.end(), [&name](const QualityClass& each) { return each.Name == name; });
+    return static_cast<int>(found - all.begin());
   };
+  EXPECT_EQ(this->State.GetQualityPlace(), -1) << "the defaults of one map are no class";
+  this->State.SetQuality(place("good"));
   EXPECT_EQ(this->State.GetQualityPlace(), place("good"));
   this->State.SetOption("filter_width", 33.0);
   EXPECT_EQ(this->State.GetQualityPlace(), -1);
   this->State.SetQuality(place("draft"));
   EXPECT_EQ(this->State.GetQualityPlace(), place("draft"));
-  for (const auto& [name, text] : this->State.GetTechnique().Draft)
+  for (const auto& [name, text] : this->State.GetTechnique().Draft.Options)
   {
     EXPECT_EQ(this->State.GetOption(name), this->State.GetTechnique().FindOption(name).Parse(text));
   }
   this->Press("c");
   EXPECT_EQ(this->State.GetQualityPlace(), place("good"));
-  EXPECT_EQ(this->State.GetOption("filter_width"), this->State.GetDefault("filter_width"));
+  EXPECT_EQ(this->State.GetOption("split"), 2.0);
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST_F(ViewerStates, StepsOverQualitiesThatATechniqueDoesNotHave)
+{
+  const auto& techniques = GetTechniques();
+  const Technique& rival = FindTechnique("ssabss");
+  this->State.SetTechnique(static_cast<int>(&rival - techniques.data()));
+  EXPECT_TRUE(this->State.HasQuality(0));
+  ASSERT_FALSE(this->State.HasQuality(1));
+  ASSERT_FALSE(this->State.HasQuality(2));
+  const double before = this->State.GetOption("filter_width");
+  this->State.SetQuality(2);
+  EXPECT_EQ(this->State.GetOption("filter_width"), before);
+  this->Press("c");
+  EXPECT_EQ(this->State.GetQualityPlace(), 0);
+  this->Press("c");
+  EXPECT_EQ(this->State.GetQualityPlace(), 0);
 }
 
 //--------------------------------------------------------------------------------------------------
