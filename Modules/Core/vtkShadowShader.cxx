@@ -10,6 +10,7 @@
 #include "vtkSoftShadowsOpenGL.h"
 
 #include "vtkShadowBlocker.h"
+#include "vtkShadowCrease.h"
 #include "vtkShadowDepthMap.h"
 #include "vtkShadowFootprint.h"
 #include "vtkShadowFullscreenVS.h"
@@ -33,6 +34,7 @@ const char* FindSnippet(const std::string& name)
 {
   const std::pair<const char*, const char*> snippets[] = {
     { "vtkShadowBlocker", vtkShadowBlocker },
+    { "vtkShadowCrease", vtkShadowCrease },
     { "vtkShadowDepthMap", vtkShadowDepthMap },
     { "vtkShadowFootprint", vtkShadowFootprint },
     { "vtkShadowKernel", vtkShadowKernel },

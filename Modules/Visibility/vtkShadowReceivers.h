@@ -7,7 +7,7 @@
  * Two RGBA32F textures of the viewport's size. Position: xyz in view coordinates, w is
  * VTK_SOFT_SHADOW_RECEIVES, VTK_SOFT_SHADOW_SURFACE (receives nothing), or anything else where
  * there is no surface. Normal: xyz is the unit normal of the visible triangle's plane, towards the
- * camera.
+ * camera, w is 0 where that plane is made up: points and lines have none.
  */
 
 #ifndef vtkShadowReceivers_h

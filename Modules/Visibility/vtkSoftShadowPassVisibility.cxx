@@ -265,8 +265,16 @@ void vtkSoftShadowPass::DrawMarks(const vtkSoftShadowContext& context, const vtk
     this->SetMapUniforms(program, context, *view, this->GetLimitedMapSize());
     program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
   }
-  program->SetUniformi("depthPyramid", pyramid->Activate(context.Window));
+  const int pyramidUnit = pyramid->Activate(context.Window);
+  program->SetUniformi("depthPyramid", pyramidUnit);
+  // Not read without a proof: any texture of its kind will do.
+  vtkShadowTextureArray* maps = proof != PROVES_NOTHING ? context.Maps->GetTexture() : nullptr;
+  program->SetUniformi("depthMaps", maps ? maps->Activate(context.Window) : pyramidUnit);
   shader.Draw();
+  if (maps)
+  {
+    maps->Deactivate();
+  }
   pyramid->Deactivate();
   context.Receivers->Deactivate();
 }

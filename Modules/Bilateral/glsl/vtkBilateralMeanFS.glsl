@@ -5,6 +5,7 @@
 
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowSamples
 //SoftShadows::Include vtkShadowPointSums
 
@@ -15,6 +16,6 @@ void main()
 {
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
-  MapFrame frame = toFrame(viewToBase, receiver.positionVs, receiver.normalVs);
+  MapFrame frame = toFrame(viewToBase, receiver);
   gl_FragData[0] = pointSums(frame) + vec4(madeUp + litWeight, litWeight, 0.0, 0.0);
 }

@@ -12,6 +12,7 @@
 
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowSamples
 
 uniform sampler2DArray state; // (visibility, 1 if it has settled) after the level before

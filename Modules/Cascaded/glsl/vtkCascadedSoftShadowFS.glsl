@@ -12,6 +12,7 @@
 
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowSamples
 
 uniform vec2 fadeIn;     // depths over which the cascade's weight rises

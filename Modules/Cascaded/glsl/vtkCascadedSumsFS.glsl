@@ -12,6 +12,7 @@
 
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowSamples
 //SoftShadows::Include vtkShadowPointSums
 
@@ -32,7 +33,7 @@ void main()
     sums += share * vec4(litWeight, litWeight, 0.0, 0.0);
     if (sampleCount > 0)
     {
-      sums += share * pointSums(toFrame(viewToBase, receiver.positionVs, receiver.normalVs));
+      sums += share * pointSums(toFrame(viewToBase, receiver));
     }
   }
   gl_FragData[0] = sums;

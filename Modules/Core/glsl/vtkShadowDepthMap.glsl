@@ -3,6 +3,7 @@
 // Map coordinates (s, t, d), s and t in [0, 1] and d in [-1, 0], near to far, are a projective image of
 // space: planes stay planes. The depth map holds -d. The
 // receiver's plane is d = std.z + gradient . (st - std.xy), for every tap of a kernel, exactly.
+// Needs vtkShadowReceiver.
 
 uniform sampler2DArray depthMaps;
 uniform float depthMapSize; // texels along an edge
@@ -13,6 +14,7 @@ struct MapPoint
   vec2 gradient; // slope of the receiver's plane, d per s and per t
   float bias;    // what rounding and the bend of the surface may add to a depth that is its own
   bool facesCenter; // the map's centre of projection is on the camera's side of the plane
+  vec2 lift; // unit vector in (s, t): which way the receiver moves along its normal; 0: it is no surface
 };
 
 // Relative rounding of a view position after interpolation, and of the product with a matrix.
@@ -34,12 +36,14 @@ struct MapFrame
   float least;   // below this normal.z is noise
   float bend;    // times 1 / normal.z: how far the surface bends towards the light
   float size;    // of what depths around here are sums of, at most 1
+  vec3 lift;     // of a step along the normal of a surface
 };
 
-MapFrame toFrame(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
+MapFrame toFrame(mat4 viewToMap, Receiver receiver)
 {
+  vec3 normalVs = receiver.normalVs;
   MapFrame frame;
-  vec4 homogeneous = viewToMap * vec4(positionVs, 1.0);
+  vec4 homogeneous = viewToMap * vec4(receiver.positionVs, 1.0);
   float w = homogeneous.w;
   frame.std = homogeneous.xyz / w;
 
@@ -56,7 +60,7 @@ MapFrame toFrame(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
   frame.least = max(1e-5 * length(d1) * length(d2), 1e-37);
 
   // Rounding of (s, t, d): each is a sum of products of the matrix and the position, over w.
-  vec4 magnitude = vec4(abs(positionVs), 1.0);
+  vec4 magnitude = vec4(abs(receiver.positionVs), 1.0);
   mat4 absolute = mat4(abs(viewToMap[0]), abs(viewToMap[1]), abs(viewToMap[2]), abs(viewToMap[3]));
   vec4 sums = absolute * magnitude;
   frame.rounding = positionRounding * (sums.xyz + abs(frame.std) * sums.w) / abs(w);
@@ -73,6 +77,7 @@ MapFrame toFrame(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
   vec3 dn = (hn.xyz - frame.std * hn.w) / w;
   float texelsPerLength = depthMapSize * max(length(d1.xy), length(d2.xy));
   frame.bend = surfaceBend / texelsPerLength * abs(dot(frame.normal, dn));
+  frame.lift = receiver.isSurface ? dn : vec3(0.0);
   return frame;
 }
 
@@ -84,6 +89,7 @@ MapFrame moveFrame(MapFrame frame, vec4 rowS, vec4 rowT, vec4 rowD)
   // Planes are multiplied by the matrix' cofactors.
   frame.normal = vec3(dot(cross(rowT.xyz, rowD.xyz), frame.normal),
     dot(cross(rowD.xyz, rowS.xyz), frame.normal), dot(cross(rowS.xyz, rowT.xyz), frame.normal));
+  frame.lift = vec3(dot(rowS.xyz, frame.lift), dot(rowT.xyz, frame.lift), dot(rowD.xyz, frame.lift));
   return frame;
 }
 
@@ -96,12 +102,13 @@ MapPoint toPoint(MapFrame frame)
   point.gradient = (point.facesCenter ? -slope : slope) * frame.normal.xy;
   point.bias = depthRounding * frame.size + frame.rounding.z + dot(abs(point.gradient), frame.rounding.xy) +
     slope * frame.bend;
+  point.lift = frame.lift.xy / max(length(frame.lift.xy), 1e-37);
   return point;
 }
 
-MapPoint toMap(mat4 viewToMap, vec3 positionVs, vec3 normalVs)
+MapPoint toMap(mat4 viewToMap, Receiver receiver)
 {
-  return toPoint(toFrame(viewToMap, positionVs, normalVs));
+  return toPoint(toFrame(viewToMap, receiver));
 }
 
 // The depth of the receiver's plane.

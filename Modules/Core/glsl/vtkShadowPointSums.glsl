@@ -80,6 +80,10 @@ vec4 pointSums(MapFrame frame)
       blocked.x = blocksAt(point, point.std.xy, depth, layer) ? 1.0 : 0.0;
       blocked.y = blocked.x > 0.0 ? reachOf(i, point.std.z, depth) : 0.0;
     }
+    if (blocked.x < 1.0 && isInCrease(point, vec2(0.0), creaseReach + 0.5 * float(filterSize - 1), layer))
+    {
+      blocked = vec2(1.0, blocked.y / max(blocked.x, 1e-6));
+    }
     sums.rgb += sampleWeights[i] * vec3(1.0, 1.0 - blocked.x, blocked.y);
   }
   return sums;

@@ -1,6 +1,6 @@
 // Hard shadows from points of the light: a depth map each, in the layers from firstLayer on.
-// Needs vtkShadowDepthMap. With SOFT_SHADOW_GATHER defined, and textureGather at hand, four texels
-// are read at a time.
+// Needs vtkShadowDepthMap and vtkShadowCrease. With SOFT_SHADOW_GATHER defined, and textureGather at
+// hand, four texels are read at a time.
 
 // The points' maps are affine images of one of them, the base: a row for each of s, t and d.
 uniform mat4 viewToBase;
@@ -41,7 +41,7 @@ vec4 litTexels(MapPoint point, vec2 corner, float layer)
 
 // The share of the box of filterSize x filterSize texels around the receiver that does not block
 // it. Texels that the box's border cuts count by the part inside, so it is continuous.
-float hardVisibility(MapPoint point, float layer)
+float boxVisibility(MapPoint point, float layer)
 {
   if (filterSize == 1)
   {
@@ -77,10 +77,17 @@ float hardVisibility(MapPoint point, float layer)
   return lit / float(filterSize * filterSize);
 }
 
+float hardVisibility(MapPoint point, float layer)
+{
+  float visibility = boxVisibility(point, layer);
+  float reach = creaseReach + 0.5 * float(filterSize - 1);
+  return visibility > 0.0 && isInCrease(point, vec2(0.0), reach, layer) ? 0.0 : visibility;
+}
+
 // The weighted sum over the points of this draw.
 float sampledVisibility(Receiver receiver)
 {
-  MapFrame base = toFrame(viewToBase, receiver.positionVs, receiver.normalVs);
+  MapFrame base = toFrame(viewToBase, receiver);
   float visibility = 0.0;
   for (int i = 0; i < sampleCount; ++i)
   {

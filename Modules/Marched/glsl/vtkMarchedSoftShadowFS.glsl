@@ -7,6 +7,7 @@
 
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowProof
 
 uniform mat4 viewToMap;
@@ -74,7 +75,7 @@ void main()
 {
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  MapPoint point = toMap(viewToMap, receiver);
   // Nothing lies in front of the nearest depth within the kernel; nor, on a second look, in front of the
   // nearest one where the light's image is as wide as it is there.
   DepthRange depths = searchPyramid(point, kernelScale * max(point.std.z - nearestDepth, 0.0), mapLayer);
@@ -83,6 +84,11 @@ void main()
   {
     depths = searchPyramid(point, kernelScale * reach, mapLayer);
     reach = max(point.std.z - depths.nearest, 0.0);
+  }
+  if (isInCrease(point, kernelScale, creaseReach, mapLayer))
+  {
+    gl_FragData[0] = pattern > 1 ? vec4(0.0, 1.0, 0.0, 0.0) : vec4(0.0);
+    return;
   }
   bool allFaces = point.facesCenter && dot(abs(point.gradient), kernelScale) < 1.0;
   if (allFaces && !depths.anyBlocker)

@@ -6,6 +6,7 @@
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
 //SoftShadows::Include vtkShadowFootprint
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowKernel
 //SoftShadows::Include vtkShadowBlocker
 //SoftShadows::Include vtkShadowProof
@@ -63,7 +64,7 @@ void main()
 {
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  MapPoint point = toMap(viewToMap, receiver);
   // The paper's search is as wide as the light on the near plane. With the footprint nothing
   // counts that lies outside the light's image at the nearest depth, and taps there are of no use.
   float reachable =
@@ -76,6 +77,10 @@ void main()
   {
     float reach = isBehind ? max(point.std.z - blocker, 0.0) : 0.0;
     visibility = filterVisibility(point, kernelScale * reach);
+  }
+  if (visibility > 0.0 && isInCrease(point, kernelScale, creaseReach, mapLayer))
+  {
+    visibility = 0.0;
   }
   gl_FragData[0] = vec4(weight * visibility);
 }

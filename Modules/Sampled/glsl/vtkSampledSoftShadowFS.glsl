@@ -11,6 +11,7 @@
 
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowSamples
 
 uniform float litWeight; // of the points that see everything

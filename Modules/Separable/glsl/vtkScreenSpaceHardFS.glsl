@@ -6,6 +6,7 @@
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowLight
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 
 uniform mat4 viewToMap;
 uniform float mapLayer;
@@ -17,7 +18,8 @@ void main()
   {
     discard;
   }
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
-  bool blocked = !point.facesCenter || isBlocked(point, point.std.xy, mapLayer);
+  MapPoint point = toMap(viewToMap, receiver);
+  bool blocked = !point.facesCenter || isBlocked(point, point.std.xy, mapLayer) ||
+    isInCrease(point, vec2(0.0), creaseReach, mapLayer);
   gl_FragData[0] = vec4(blocked ? 0.0 : 1.0);
 }

@@ -29,7 +29,7 @@ void main()
 {
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  MapPoint point = toMap(viewToMap, receiver);
   vec2 halfSearch = kernelScale * searchReach(point);
   vec2 blockers = vec2(0.0);
   for (int j = 0; j < searchWidth; ++j)

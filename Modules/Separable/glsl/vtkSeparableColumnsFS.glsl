@@ -175,7 +175,7 @@ void main()
 {
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  MapPoint point = toMap(viewToMap, receiver);
   vec2 search = searchBlockers(point, searchReach(point));
   // w: the depth between receiver and blockers, which is the filter's width.
   bool isLit = search.x == infinitelyFar;

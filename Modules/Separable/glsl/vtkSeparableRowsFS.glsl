@@ -6,6 +6,7 @@
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowLight
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowKernel
 //SoftShadows::Include vtkShadowBlocker
 //Separable::Rows
@@ -36,12 +37,13 @@ void main()
 {
   Receiver receiver;
   bool served = loadReceiver(ivec2(gl_FragCoord.xy), receiver) && lightReaches(receiver.positionVs);
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  MapPoint point = toMap(viewToMap, receiver);
   if (!served)
   {
-    point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true);
+    point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true, vec2(0.0));
   }
-  bool blocked = isBlocked(point, point.std.xy, mapLayer);
+  bool blocked = isBlocked(point, point.std.xy, mapLayer) ||
+    isInCrease(point, kernelScale, creaseReach, mapLayer);
   // A plane that turns its back on the light's centre has rows for nobody, itself included.
   bool serves = served && point.facesCenter;
   // No ray to the light meets a blocker where a pixel was proved lit.

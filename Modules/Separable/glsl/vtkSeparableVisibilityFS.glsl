@@ -5,6 +5,7 @@
 
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowKernel
 //SoftShadows::Include vtkShadowBlocker
 //Separable::Rows
@@ -160,7 +161,7 @@ void main()
   Receiver receiver;
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   loadReceiver(pixel, receiver);
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  MapPoint point = toMap(viewToMap, receiver);
   vec4 row = texelFetch(filterRows, ivec3(pixel, 0), 0);
   vec2 result = vec2(1.0, -1.0); // lit, and no rows
   if (row.w == SEPARABLE_NO_ROW)
@@ -171,6 +172,10 @@ void main()
   else if (row.w != SEPARABLE_LIT_ROW)
   {
     result = filterVisibility(point, receiver, row.w);
+  }
+  if (result.x > 0.0 && isInCrease(point, kernelScale, creaseReach, mapLayer))
+  {
+    result.x = 0.0;
   }
   if (debugView == SEPARABLE_DEBUG_SEARCH)
   {

@@ -8,6 +8,8 @@
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowLight
 //SoftShadows::Include vtkShadowDepthMap
+#define SOFT_SHADOW_LEAST_DEPTHS // the search map is conservative
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowProof
 //SoftShadows::Include vtkShadowBlocker
 //VirtualSoftShadow::Kernel
@@ -249,10 +251,10 @@ void main()
   gl_FragData[1] = vec4(0.0);
   Receiver receiver;
   bool served = loadReceiver(ivec2(gl_FragCoord.xy), receiver) && lightReaches(receiver.positionVs);
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  MapPoint point = toMap(viewToMap, receiver);
   if (!served)
   {
-    point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true);
+    point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true, vec2(0.0));
   }
   Footprint footprint = footprintOf(receiver, point);
   vec2 pixelReach = served && antialiasing == 1 ? reachOf(footprint) : vec2(0.0);
@@ -263,6 +265,10 @@ void main()
     return;
   }
   float inFront = shareInFront(point);
+  if (inFront > 0.0 && isInCrease(point, kernelScale, creaseReach, mapLayer))
+  {
+    inFront = 0.0;
+  }
   mayBlock = mayBlock && inFront > 0.0;
   float blocker = mayBlock ? meanBlocker(point, farthest, pixelReach) : infinitelyFar;
   if (blocker == infinitelyFar)

@@ -120,7 +120,7 @@ void main()
   }
   Receiver receiver;
   loadReceiver(pixel.xy, receiver);
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  MapPoint point = toMap(viewToMap, receiver);
   bool disk = emitterDisk == 1;
   vec4 prediction = texelFetch(predictions, pixel, 0);
   vec2 texels = depthMapSize / tileWindow.zw;

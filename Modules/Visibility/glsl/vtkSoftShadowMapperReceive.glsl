@@ -49,7 +49,8 @@
     gl_FragData[0] = vec4(softShadowPosition, softShadowReceives);
     softShadowNormal = softShadowLength > 0.0 ? softShadowNormal / softShadowLength
                                               : vec3(0.0, 0.0, 1.0);
-    gl_FragData[1] = vec4(softShadowNormal, 0.0);
+    // Along a line or in a point all steps are parallel or none, but for rounding.
+    gl_FragData[1] = vec4(softShadowNormal, softShadowLength > 1e-3 ? 1.0 : 0.0);
 #if defined(SOFT_SHADOW_BEND) && !defined(SOFT_SHADOW_MOVED_DEPTH)
     gl_FragData[2] = softShadowSurface(vertexVC.xyz, softShadowNormal);
 #else

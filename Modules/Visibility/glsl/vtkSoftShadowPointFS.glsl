@@ -6,6 +6,7 @@
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowLight
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowSamples
 
 uniform float litWeight; // of a point that sees everything

@@ -8,6 +8,7 @@
 //SoftShadows::Include vtkShadowReceiver
 //SoftShadows::Include vtkShadowLight
 //SoftShadows::Include vtkShadowDepthMap
+//SoftShadows::Include vtkShadowCrease
 //SoftShadows::Include vtkShadowProof
 
 uniform int proof;      // vtkSoftShadowPass::ProofType
@@ -30,8 +31,13 @@ void main()
   }
   else if (proof > 0)
   {
-    MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+    MapPoint point = toMap(viewToMap, receiver);
     visibility = proveVisibility(point, kernelScale, mapLayer);
+    // The technique's own maps tell; this one may hold the least depths within its texels.
+    if (visibility > 0.0 && isInCrease(point, kernelScale, creaseReach, mapLayer))
+    {
+      visibility = -1.0;
+    }
     if (visibility == 0.0 && proof == 1 && point.facesCenter)
     {
       visibility = -1.0;
