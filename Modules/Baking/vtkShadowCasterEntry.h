@@ -79,6 +79,8 @@ public:
   {
     return this->HasBody && this->Body.Casts && this->Route == vtkShadowCasterSource::MAPPER;
   }
+  /// Nothing but triangles in a plane.
+  bool IsFlat() const { return this->HasBody && this->Body.Flat && this->IsInBuffer(); }
   const vtkShadowCasterBuffer::Range& GetRange() const { return this->Range; }
 
   /// Which the strokes are as wide as.

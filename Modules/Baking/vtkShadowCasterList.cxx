@@ -58,6 +58,7 @@ vtkShadowCasterEntry::Change vtkShadowCasterList::Update(vtkRenderer* renderer, 
       [](vtkShadowCasterEntry& entry) { entry.ForgetRange(); });
     this->PlaceEntries();
   }
+  this->CollectRises();
   if (this->Changes.Bodies)
   {
     this->CollectBodies();
@@ -67,6 +68,33 @@ vtkShadowCasterEntry::Change vtkShadowCasterList::Update(vtkRenderer* renderer, 
     }
   }
   return this->Changes;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterList::CollectRises()
+{
+  constexpr double TOLERANCE = 1e-6; // as vtkShadowCasters::Body promises
+  this->Rises.clear();
+  for (const vtkShadowCasterEntry& entry : this->Entries)
+  {
+    if (entry.IsFlat())
+    {
+      const double extent = std::sqrt(vtkMath::Distance2BetweenPoints(
+        entry.Body.Corners[0].data(), entry.Body.Corners[2].data()));
+      this->Rises.emplace_back(entry.Prop, TOLERANCE * extent);
+    }
+  }
+  std::sort(this->Rises.begin(), this->Rises.end());
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowCasterList::GetLargestRise(const vtkProp* prop) const
+{
+  // A part of several assemblies comes several times.
+  const std::pair<const vtkProp*, double> past(prop, std::numeric_limits<double>::infinity());
+  const auto next = std::upper_bound(this->Rises.begin(), this->Rises.end(), past);
+  return next != this->Rises.begin() && (next - 1)->first == prop ? (next - 1)->second
+                                                                  : past.second;
 }
 
 //------------------------------------------------------------------------------

@@ -19,8 +19,9 @@
 #include "vtkShadowScreen.h"
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
-#include <array>  // For the origin
-#include <vector> // For the entries
+#include <array>   // For the origin
+#include <utility> // For the rises
+#include <vector>  // For the entries
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
@@ -41,6 +42,9 @@ public:
   /// Finds for flat casters whether they have receivers (see vtkShadowCasterEntry::HasReceivers).
   vtkShadowCasterEntry::Change Update(vtkRenderer* renderer, bool findReceivers);
 
+  /// See vtkShadowCasters::GetLargestRise.
+  double GetLargestRise(const vtkProp* prop) const;
+
   /// Makes the next Update look for receivers again, whatever it finds; all count until then.
   void ForgetReceivers();
 
@@ -56,6 +60,7 @@ private:
   bool MoveOrigin();
   void CollectBodies();
   void FindReceiversOfPlanes();
+  void CollectRises();
   bool HasReceivers(const Body& plane, int lightSide, const Body& all) const;
 
   std::size_t Cursor = 0;
@@ -66,6 +71,7 @@ private:
   vtkNew<vtkMatrix4x4> Matrix;
   vtkShadowCasterEntry::Change Changes; // of this update
   bool MustCollect = false;
+  std::vector<std::pair<const vtkProp*, double>> Rises; // of flat props, sorted
 };
 
 VTK_ABI_NAMESPACE_END

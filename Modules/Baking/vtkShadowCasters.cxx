@@ -258,6 +258,12 @@ const std::vector<vtkShadowCasters::Body>& vtkShadowCasters::GetBodies() const
 }
 
 //------------------------------------------------------------------------------
+double vtkShadowCasters::GetLargestRise(const vtkProp* prop) const
+{
+  return this->Impl->List.GetLargestRise(prop);
+}
+
+//------------------------------------------------------------------------------
 vtkTypeInt64 vtkShadowCasters::GetNumberOfTriangles() const
 {
   vtkTypeInt64 triangles = 0;

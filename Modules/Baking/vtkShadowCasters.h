@@ -123,6 +123,12 @@ public:
   /// All visible opaque props or their parts, casters and receivers alike.
   const std::vector<Body>& GetBodies() const;
 
+  /**
+   * How far the surface of a prop may rise from the plane of one of its triangles, in world units: infinite
+   * unless all of it lies in one plane.
+   */
+  double GetLargestRise(const vtkProp* prop) const;
+
   ///@{
   /// Counts for statistics.
   vtkTypeInt64 GetNumberOfTriangles() const;

@@ -7,7 +7,8 @@
  * Two RGBA32F textures of the viewport's size. Position: xyz in view coordinates, w is
  * VTK_SOFT_SHADOW_RECEIVES, VTK_SOFT_SHADOW_SURFACE (receives nothing), or anything else where
  * there is no surface. Normal: xyz is the unit normal of the visible triangle's plane, towards the
- * camera, w is 0 where that plane is made up: points and lines have none.
+ * camera, w is how far the surface may rise from that plane (see vtkShadowCasters::GetLargestRise), or -1
+ * where the plane is made up: points and lines have none.
  */
 
 #ifndef vtkShadowReceivers_h

@@ -186,6 +186,12 @@ void vtkSoftShadowMapperHooks::SetUniforms(vtkShaderProgram* program, vtkProp* p
   }
   program->SetUniformf("softShadowReceives",
     static_cast<float>(receives ? VTK_SOFT_SHADOW_RECEIVES : VTK_SOFT_SHADOW_SURFACE));
+  if (program->IsUniformUsed("softShadowLargestRise"))
+  {
+    const double rise = this->Casters ? this->Casters->GetLargestRise(prop) : VTK_FLOAT_MAX;
+    program->SetUniformf(
+      "softShadowLargestRise", static_cast<float>(std::min<double>(rise, VTK_FLOAT_MAX)));
+  }
   if (program->IsUniformUsed("softShadowSmooth"))
   {
     program->SetUniformi("softShadowSmooth", this->Smooth ? 1 : 0);

@@ -31,6 +31,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderer;
 class vtkShaderProgram;
+class vtkShadowCasters;
 
 class vtkSoftShadowMapperHooks
 {
@@ -42,6 +43,7 @@ public:
   int VisibilityUnit = 0;
   /// The camera's projection: z and w of clip coordinates are a z + b and c z + d in view coordinates.
   float DepthToView[4] = { 0.0f, 0.0f, 0.0f, 1.0f };
+  const vtkShadowCasters* Casters = nullptr; // what receivers are part of
   bool Smooth = false;             // receivers on the surface that the vertices' normals tell of
   std::vector<int> Layers;         // per lit light, in the renderer's order
   std::vector<float> Attenuations; // per lit light: vtkLight::ShadowAttenuation, within [0, 1]

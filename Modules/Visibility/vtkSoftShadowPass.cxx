@@ -390,6 +390,7 @@ bool vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
 {
   Internals& impl = *this->Impl;
   impl.Hooks.Smooth = this->SmoothTerminator;
+  impl.Hooks.Casters = impl.Casters;
   impl.Receivers->SetSmooth(this->SmoothTerminator);
   const vtkShadowFailures failures;
   if (!HasTextureUnit(GetWindow(s)))

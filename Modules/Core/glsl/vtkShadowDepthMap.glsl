@@ -72,12 +72,13 @@ MapFrame toFrame(mat4 viewToMap, Receiver receiver)
   frame.rounding.xy += vertexSnapping / depthMapSize;
 
   // Taps compare at texel centres, where a plane's own depth is exact. Within a texel a mesh may bend
-  // towards the light by a part of the texel's width, along the normal.
+  // towards the light by a part of the texel's width, along the normal, but no flat one.
   vec4 hn = viewToMap * vec4(normalVs, 0.0);
   vec3 dn = (hn.xyz - frame.std * hn.w) / w;
   float texelsPerLength = depthMapSize * max(length(d1.xy), length(d2.xy));
-  frame.bend = surfaceBend / texelsPerLength * abs(dot(frame.normal, dn));
-  frame.lift = receiver.isSurface ? dn : vec3(0.0);
+  float bend = surfaceBend / texelsPerLength;
+  frame.bend = (receiver.rise < 0.0 ? bend : min(bend, receiver.rise)) * abs(dot(frame.normal, dn));
+  frame.lift = receiver.rise >= 0.0 ? dn : vec3(0.0);
   return frame;
 }
 

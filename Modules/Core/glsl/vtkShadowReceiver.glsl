@@ -2,7 +2,7 @@
 // Space suffixes: Vs view coordinates.
 
 uniform sampler2D receiverPosition; // xyz: position Vs, w: SOFT_SHADOW_RECEIVES, ..._SURFACE or else
-uniform sampler2D receiverNormal;   // xyz: unit normal of the visible triangle's plane, Vs, w: 0 if it is made up
+uniform sampler2D receiverNormal;   // xyz: unit normal of the visible triangle's plane, Vs, w: rise
 uniform sampler2D receiverSurface;  // the smooth surface: xyz: unit normal Vs, w: height over the triangle
 uniform int receiverSmooth;         // 1: receivers lie on the smooth surface
 
@@ -10,7 +10,7 @@ struct Receiver
 {
   vec3 positionVs;
   vec3 normalVs;  // towards the camera
-  bool isSurface; // false: a point or a line, whose plane is made up
+  float rise;     // of the surface over that plane, at most; -1: a point or a line, whose plane is made up
 };
 
 // Position and mark at a place in [0, 1]^2 of the viewport.
@@ -30,7 +30,7 @@ bool loadReceiver(ivec2 pixel, out Receiver receiver)
   vec4 position = texelFetch(receiverPosition, pixel, 0);
   vec4 normal = texelFetch(receiverNormal, pixel, 0);
   receiver.positionVs = position.xyz;
-  receiver.isSurface = normal.w > 0.0;
+  receiver.rise = normal.w;
   if (receiverSmooth == 1)
   {
     vec4 surface = texelFetch(receiverSurface, pixel, 0);

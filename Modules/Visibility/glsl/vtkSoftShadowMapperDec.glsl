@@ -2,6 +2,7 @@
 // SOFT_SHADOW_LIGHTS is the number of lit lights, in the mapper's own order.
 uniform int softShadowStage;
 uniform float softShadowReceives; // the mark of this prop's receivers
+uniform float softShadowLargestRise;     // of this prop's surface over the plane of a triangle
 uniform vec4 softShadowDepthToView; // (a z + b) / (c z + d) is the depth from -1 to 1 of a view z
 uniform ivec2 softShadowOrigin;     // lower left pixel of the viewport
 uniform sampler2DArray softShadowVisibility;

@@ -50,7 +50,7 @@
     softShadowNormal = softShadowLength > 0.0 ? softShadowNormal / softShadowLength
                                               : vec3(0.0, 0.0, 1.0);
     // Along a line or in a point all steps are parallel or none, but for rounding.
-    gl_FragData[1] = vec4(softShadowNormal, softShadowLength > 1e-3 ? 1.0 : 0.0);
+    gl_FragData[1] = vec4(softShadowNormal, softShadowLength > 1e-3 ? softShadowLargestRise : -1.0);
 #if defined(SOFT_SHADOW_BEND) && !defined(SOFT_SHADOW_MOVED_DEPTH)
     gl_FragData[2] = softShadowSurface(vertexVC.xyz, softShadowNormal);
 #else

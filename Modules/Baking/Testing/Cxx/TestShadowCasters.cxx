@@ -6,6 +6,7 @@
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCubeSource.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlaneSource.h"
@@ -194,6 +195,23 @@ TEST(ShadowCasters, WithoutSenseWithoutHarm)
   EXPECT_EQ(body.Bounds, (std::array<double, 6>{ { -1.0, 1.0, -1.0, 1.0, 0.5, 0.5 } }));
   EXPECT_TRUE(body.Flat);
   EXPECT_NEAR(std::abs(body.Normal[2]), 1.0, 1e-12);
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowCasters, OnlyFlatPropsDoNotRise)
+{
+  BakingScene scene;
+  auto plane = scene.AddActor(vtkNew<vtkPlaneSource>());
+  const auto cube = scene.AddActor(vtkNew<vtkCubeSource>());
+  EXPECT_TRUE(std::isinf(scene.Casters->GetLargestRise(plane)));
+  scene.Casters->Update(scene.Renderer);
+  EXPECT_NEAR(scene.Casters->GetLargestRise(plane), 1.414e-6, 1e-9);
+  EXPECT_TRUE(std::isinf(scene.Casters->GetLargestRise(cube)));
+  plane->GetProperty()->SetVertexVisibility(true);
+  plane->GetProperty()->SetEdgeVisibility(true);
+  plane->GetProperty()->SetPointSize(5.0f);
+  scene.Casters->Update(scene.Renderer);
+  EXPECT_TRUE(std::isinf(scene.Casters->GetLargestRise(plane))) << "vertices may lie anywhere";
 }
 
 //------------------------------------------------------------------------------
