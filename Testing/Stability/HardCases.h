@@ -26,15 +26,6 @@ class vtkRenderer;
 namespace SoftShadowsTesting
 {
 
-/// What a technique that knows only what the light's centre sees makes of a case.
-enum class Blockers
-{
-  OneDepth, ///< Blockers at one depth as seen from the light, or a light of no size.
-  Compact,  ///< Small bodies, a light of about a tenth of its distance.
-  Deep,     ///< A large light, or blockers that reach from the light to the receiver.
-  Fused     ///< Several blockers, one behind the other, that the light sees past.
-};
-
 /// A case made: renderers with camera, lights and props, and the window they belong in.
 struct HardScene
 {
@@ -52,7 +43,6 @@ struct HardCase
   std::string Name;
   /// For the document: what is hard about it.
   std::string What;
-  Blockers Kind = Blockers::Compact;
   std::function<HardScene()> Make;
   /// Its visibility must be that of the first case of its list, whatever the technique.
   bool SameAsFirst = false;

@@ -149,39 +149,34 @@ HardScene Sixteen()
 const std::vector<HardCase>& LightCases()
 {
   static const std::vector<HardCase> cases = {
-    { "Disk", "a lamp of 0.4, 4 away", Blockers::Compact,
-      []() -> HardScene { return MakeBasicScene(); } },
-    { "Rectangle", "0.8 x 0.2, turned", Blockers::Compact, TurnedRectangle },
-    { "Spot", "a disk with a cone of 10 degrees", Blockers::Compact,
+    { "Disk", "a lamp of 0.4, 4 away", []() -> HardScene { return MakeBasicScene(); } },
+    { "Rectangle", "0.8 x 0.2, turned", TurnedRectangle },
+    { "Spot", "a disk with a cone of 10 degrees",
       [] { return Changed([](vtkAreaLight* lamp) { lamp->SetConeAngle(10.0); }); } },
-    { "Cone89", "a disk with a cone of 89 degrees", Blockers::Compact,
+    { "Cone89", "a disk with a cone of 89 degrees",
       [] { return Changed([](vtkAreaLight* lamp) { lamp->SetConeAngle(89.0); }); } },
-    { "Line", "a rectangle 0.6 x 0", Blockers::Compact,
+    { "Line", "a rectangle 0.6 x 0",
       [] { return Changed([](vtkAreaLight* lamp) { lamp->SetSize(0.6, 0.0); }); } },
-    { "NoSize", "an area light of size 0", Blockers::OneDepth,
+    { "NoSize", "an area light of size 0",
       [] { return Changed([](vtkAreaLight* lamp) { lamp->SetSize(0.0, 0.0); }); } },
-    { "PlainSpot", "a vtkLight with a cone of 40 degrees", Blockers::OneDepth,
-      [] { return Hard(true); } },
-    { "PlainSun", "a directional vtkLight", Blockers::OneDepth, [] { return Hard(false); } },
-    { "Sun", "5 degrees wide", Blockers::Compact,
+    { "PlainSpot", "a vtkLight with a cone of 40 degrees", [] { return Hard(true); } },
+    { "PlainSun", "a directional vtkLight", [] { return Hard(false); } },
+    { "Sun", "5 degrees wide",
       [] {
         return Under(MakeSun({ { 0.3, 0.2, 1.0 } }, 5.0));
       } },
-    { "WideSun", "40 degrees wide", Blockers::Deep,
+    { "WideSun", "40 degrees wide",
       [] {
         return Under(MakeSun({ { 0.3, 0.2, 1.0 } }, 40.0));
       } },
-    { "Bulb", "a vtkLight without a cone, shining to all sides", Blockers::OneDepth,
-      [] { return Bulb(180.0); } },
-    { "Cone90", "a vtkLight with a cone of 90 degrees", Blockers::OneDepth,
-      [] { return Bulb(90.0); } },
-    { "Cone120", "a vtkLight with a cone of 120 degrees", Blockers::OneDepth,
-      [] { return Bulb(120.0); } },
-    { "Headlight", "a headlight of 1", Blockers::Compact, [] { return WithTheCamera(true); } },
-    { "CameraLight", "a camera light of 0.1 of the camera's distance", Blockers::Compact,
+    { "Bulb", "a vtkLight without a cone, shining to all sides", [] { return Bulb(180.0); } },
+    { "Cone90", "a vtkLight with a cone of 90 degrees", [] { return Bulb(90.0); } },
+    { "Cone120", "a vtkLight with a cone of 120 degrees", [] { return Bulb(120.0); } },
+    { "Headlight", "a headlight of 1", [] { return WithTheCamera(true); } },
+    { "CameraLight", "a camera light of 0.1 of the camera's distance",
       [] { return WithTheCamera(false); } },
-    { "LightTransform", "a lamp placed by its own matrix", Blockers::Compact, Transformed },
-    { "SixteenLights", "the last of sixteen", Blockers::Compact, Sixteen },
+    { "LightTransform", "a lamp placed by its own matrix", Transformed },
+    { "SixteenLights", "the last of sixteen", Sixteen },
   };
   return cases;
 }

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 using namespace SoftShadowsTesting;
 
 namespace
@@ -33,7 +36,10 @@ std::string NameOf(const testing::TestParamInfo<HardCase>& info)
 //------------------------------------------------------------------------------
 void ExpectGood(const Judgement& judgement, const Technique& technique, const HardCase& hardCase)
 {
-  EXPECT_LE(judgement.Rmse, LargestRmse(technique, hardCase)) << "bias " << judgement.Bias;
+  const Tolerance tolerance = ToleranceOf(technique.Name, hardCase.Name);
+  EXPECT_LE(judgement.Rmse, tolerance.Most) << "bias " << judgement.Bias;
+  EXPECT_GE(judgement.Rmse, tolerance.Least)
+    << "better than half of what is asked for: tighten it (tighten-tolerances.py)";
   EXPECT_LE(judgement.ShareUnlike, hardCase.LargestShareUnlike);
   EXPECT_EQ(judgement.OutOfRange, 0);
   EXPECT_EQ(judgement.OpenGLErrors, 0);
@@ -64,6 +70,25 @@ TEST_P(Stability, IsNearTheTruth)
   }
 }
 
+//------------------------------------------------------------------------------
+TEST(StabilityTable, HasATolerancePerCaseAndNoOther)
+{
+  std::vector<std::string> names;
+  for (const auto& list : { InvarianceCases(), GeometryCases(), LightCases() })
+  {
+    for (const HardCase& hardCase : list)
+    {
+      names.push_back(hardCase.Name);
+    }
+  }
+  EXPECT_EQ(CasesWithTolerances(), names);
+  for (const KnownError& error : KnownErrors())
+  {
+    EXPECT_NO_THROW(ToleranceOf(error.TechniqueName, error.CaseName));
+  }
+}
+
+//------------------------------------------------------------------------------
 INSTANTIATE_TEST_SUITE_P(Invariance, Stability, testing::ValuesIn(InvarianceCases()), NameOf);
 INSTANTIATE_TEST_SUITE_P(Geometry, Stability, testing::ValuesIn(GeometryCases()), NameOf);
 INSTANTIATE_TEST_SUITE_P(Lights, Stability, testing::ValuesIn(LightCases()), NameOf);
