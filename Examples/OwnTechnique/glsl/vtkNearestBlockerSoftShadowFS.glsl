@@ -17,7 +17,7 @@ void main()
 {
   Receiver receiver;
   loadReceiver(ivec2(gl_FragCoord.xy), receiver);
-  MapPoint point = toMap(viewToMap, receiver.positionVs, receiver.normalVs);
+  MapPoint point = toMap(viewToMap, receiver);
   // The near plane is d = 0.
   vec2 halfWidth = kernelScale * max(point.std.z, 0.0);
   float lit = 0.0;
