@@ -6,6 +6,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProp3D.h"
+#include "vtkTimeStamp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,9 +64,11 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Refresh(const vtkShadowCaster
   Change change;
   change.Looks = this->Look != source.Look || this->Matrix != matrix;
   this->Look = source.Look;
+  this->Pieces = source.IsKnown ? source.Pieces : std::vector<vtkPolyData*>();
   if (this->Signature != source.Signature || this->Route != source.Route)
   {
     this->Signature = source.Signature;
+    this->StampShape();
     // A prop drawn by its mapper may look different although its box stays.
     change.Casters =
       this->Body.Casts && (this->Route != source.Route || this->HasOwnDraws() || source.HasStrokes);
@@ -97,6 +100,31 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Refresh(const vtkShadowCaster
   }
   this->FindFacing();
   return change;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterEntry::StampShape()
+{
+  vtkTimeStamp stamp;
+  stamp.Modified();
+  this->ShapeTime = stamp.GetMTime();
+  this->Number = this->Number == 0 ? this->ShapeTime : this->Number; // no two are stamped at a time
+}
+
+//------------------------------------------------------------------------------
+vtkShadowCasterShape vtkShadowCasterEntry::GetShape() const
+{
+  vtkShadowCasterShape shape;
+  shape.Number = this->Number;
+  shape.Time = this->ShapeTime;
+  shape.Matrix = this->Matrix;
+  shape.Prop = this->Prop;
+  shape.Triangles = &this->Geometry;
+  shape.Pieces = this->Pieces;
+  shape.Strokes = this->Strokes.get();
+  shape.Screen = this->Screen;
+  shape.IsPlain = this->IsInBuffer();
+  return shape;
 }
 
 //------------------------------------------------------------------------------
@@ -139,6 +167,10 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Place(vtkShadowCasterBuffer& 
   Change change;
   const bool follows = this->Strokes && !(this->Screen == screen);
   this->Screen = screen;
+  if (follows)
+  {
+    this->StampShape();
+  }
   if (!this->Moved)
   {
     if (follows && this->HasBody)

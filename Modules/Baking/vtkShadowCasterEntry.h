@@ -10,6 +10,7 @@
 
 #include "vtkShadowCasterBuffer.h"
 #include "vtkShadowCasterGeometry.h"
+#include "vtkShadowCasterShape.h"
 #include "vtkShadowCasterSource.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowScreen.h"
@@ -22,6 +23,7 @@
 #include <vector>  // For the scratch memory
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkPolyData;
 class vtkProp3D;
 
 class vtkShadowCasterEntry
@@ -92,12 +94,16 @@ public:
     return this->DrawsFromBuffer() ? this->Strokes.get() : nullptr;
   }
 
+  /// For techniques that do without depth maps.
+  vtkShadowCasterShape GetShape() const;
+
   /// 1 or -1 if a light outside the body's box sees only the triangles that turn counterclockwise
   /// or clockwise, 0 if it may see both.
   int GetFacing() const { return this->Facing; }
 
 private:
   bool IsInBuffer() const { return this->Route == vtkShadowCasterSource::BUFFER; }
+  void StampShape();
   void FindFacing();
   void TakeStrokes(const vtkShadowCasterSource& source);
   bool FindBody(const std::array<double, 3>& origin, std::vector<float>& scratch);
@@ -110,6 +116,9 @@ private:
   Change Write(vtkShadowCasterBuffer& buffer, const std::vector<float>& scratch);
 
   int Route = vtkShadowCasterSource::NONE;
+  std::uint64_t Number = 0; // of no other entry, 0 before the first Refresh
+  vtkMTimeType ShapeTime = 0;
+  std::vector<vtkPolyData*> Pieces; // valid during an Update and until the next; none if not known
   std::uint64_t Signature = 0;
   std::uint64_t Look = 0;
   bool Moved = true;

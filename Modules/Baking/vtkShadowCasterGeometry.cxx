@@ -6,6 +6,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkMath.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkShadowCasterOrientation.h"
@@ -131,6 +132,7 @@ void vtkShadowCasterGeometry::AddPiece(vtkPolyData* data)
 {
   Piece piece;
   piece.Points = data->GetPoints()->GetData();
+  piece.TextureCoordinates = data->GetPointData()->GetTCoords();
   const vtkIdType count = data->GetNumberOfPoints();
 
   this->Finite.clear();
@@ -294,6 +296,27 @@ bool vtkShadowCasterGeometry::Transform(
       high[i] < std::numeric_limits<float>::max();
   }
   return finite;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkShadowCasterGeometry::GatherTextureCoordinates() const
+{
+  std::vector<float> coordinates;
+  coordinates.reserve(2 * this->NumberOfVertices);
+  for (const Piece& piece : this->Pieces)
+  {
+    vtkDataArray* values = piece.TextureCoordinates;
+    for (std::size_t i = 0; i < piece.NumberOfVertices; ++i)
+    {
+      const vtkIdType id = piece.Ids.empty() ? static_cast<vtkIdType>(i) : piece.Ids[i];
+      for (int k = 0; k < 2; ++k)
+      {
+        const bool has = values && k < values->GetNumberOfComponents();
+        coordinates.push_back(has ? static_cast<float>(values->GetComponent(id, k)) : 0.0f);
+      }
+    }
+  }
+  return coordinates;
 }
 
 //------------------------------------------------------------------------------

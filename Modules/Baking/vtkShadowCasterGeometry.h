@@ -12,10 +12,11 @@
 #ifndef vtkShadowCasterGeometry_h
 #define vtkShadowCasterGeometry_h
 
-#include "vtkDataArray.h" // For the points
-#include "vtkShadowCasterClusters.h"
-#include "vtkSmartPointer.h"   // For the points
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkDataArray.h"                        // For the points
+#include "vtkRenderingSoftShadowsBakingModule.h" // For export macro
+#include "vtkShadowCasterClusters.h"             // For the clusters
+#include "vtkSmartPointer.h"                     // For the points
+#include "vtkSoftShadowsABI.h"                   // For the ABI namespace
 
 #include <array>   // For corners
 #include <cstdint> // For indices
@@ -25,7 +26,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
 class vtkPolyData;
 
-class vtkShadowCasterGeometry
+class VTKRENDERINGSOFTSHADOWSBAKING_EXPORT vtkShadowCasterGeometry
 {
 public:
   /// Takes the polygons and strips of the pieces in place of what was held.
@@ -54,6 +55,9 @@ public:
     return this->Clusters;
   }
 
+  /// Two texture coordinates per vertex, 0 where there are none.
+  std::vector<float> GatherTextureCoordinates() const;
+
   /// See vtkShadowCasterOrientation.
   int FindOrientation() const;
 
@@ -62,6 +66,7 @@ private:
   struct Piece
   {
     vtkSmartPointer<vtkDataArray> Points;
+    vtkSmartPointer<vtkDataArray> TextureCoordinates; // null if there are none
     std::vector<vtkIdType> Ids;
     std::size_t NumberOfVertices = 0;
   };

@@ -24,6 +24,7 @@
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkShadowCasterSignature.h"
+#include "vtkShadowImposters.h"
 #include "vtkShadowStrokes.h"
 #include "vtkSkybox.h"
 #include "vtkTexture.h"
@@ -33,8 +34,6 @@
 #include "vtkCompositePolyDataMapper2.h"
 #define SOFTSHADOWS_HAS_COMPOSITE_MAPPER_2
 #endif
-#include "vtkOpenGLSphereMapper.h"
-#include "vtkOpenGLStickMapper.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -205,26 +204,6 @@ private:
 };
 
 // Imposters are larger than the points they stand for; VTK's bounds are the points', if even that.
-struct SphereAccess : public vtkOpenGLSphereMapper
-{
-  static const char* Scales(vtkOpenGLSphereMapper* mapper)
-  {
-    return mapper->*(&SphereAccess::ScaleArray);
-  }
-};
-
-struct StickAccess : public vtkOpenGLStickMapper
-{
-  static const char* Scales(vtkOpenGLStickMapper* mapper)
-  {
-    return mapper->*(&StickAccess::ScaleArray);
-  }
-  static const char* Axes(vtkOpenGLStickMapper* mapper)
-  {
-    return mapper->*(&StickAccess::OrientationArray);
-  }
-};
-
 double GetLargest(vtkDataArray* values, int component) // -1: the tuples' length
 {
   double range[2];
@@ -255,12 +234,12 @@ double GetImposterReach(vtkMapper* mapper, vtkPolyData* data)
   vtkPointData* points = data->GetPointData();
   if (stick)
   {
-    const char* sizes = StickAccess::Scales(stick);
-    const char* axes = StickAccess::Axes(stick);
+    const char* sizes = vtkShadowStickImposters::Sizes(stick);
+    const char* axes = vtkShadowStickImposters::Axes(stick);
     return GetStickReach(
       sizes ? points->GetArray(sizes) : nullptr, axes ? points->GetArray(axes) : nullptr);
   }
-  const char* name = SphereAccess::Scales(sphere);
+  const char* name = vtkShadowSphereImposters::Radii(sphere);
   vtkDataArray* radii = name ? points->GetArray(name) : nullptr;
   return radii ? GetLargest(radii, 0) : sphere->GetRadius();
 }
@@ -272,6 +251,7 @@ void vtkShadowCasterSource::Inspect(vtkProp3D* prop)
   this->Route = NONE;
   this->Pieces.clear();
   this->IsHull = false;
+  this->IsKnown = false;
   this->HasStrokes = false;
   this->Signature = 0;
   this->Look = 0;
@@ -336,6 +316,7 @@ void vtkShadowCasterSource::InspectActor(vtkActor* actor)
   collector.Add(mapper->GetInputDataObject(0, 0), true);
   const bool known =
     DrawsPolygonsAsTheyAre(mapper) && collector.OnlyPolyData && !HasReplacedShader(actor);
+  this->IsKnown = known;
   const bool whole = known && mapper->GetNumberOfClippingPlanes() == 0 && !HasAlpha(actor);
   const bool surface = property->GetRepresentation() == VTK_SURFACE;
   this->HasStrokes = whole && vtkShadowStrokes::AreWide(this->Pieces, property);

@@ -40,6 +40,8 @@ struct vtkShadowCasterSource
   std::vector<vtkPolyData*> Pieces;
   /// What is drawn lies within the triangles of the pieces (and its strokes), whichever the route.
   bool IsHull = false;
+  /// The mapper draws the pieces as they are, but for clipping planes and textures.
+  bool IsKnown = false;
   /// Points or lines are wider than a pixel: they are drawn as vtkShadowStrokes.
   bool HasStrokes = false;
   /// Changes whenever what the prop casts may have; its matrix is not part of it.

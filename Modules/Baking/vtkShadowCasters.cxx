@@ -15,6 +15,7 @@
 #include "vtkShadowCamera.h"
 #include "vtkShadowCasterList.h"
 #include "vtkShadowCasterProgram.h"
+#include "vtkShadowCasterShape.h"
 #include "vtkShadowContextWatch.h"
 #include "vtkShadowDrawTest.h"
 #include "vtkShadowMapperCasters.h"
@@ -261,6 +262,26 @@ const std::vector<vtkShadowCasters::Body>& vtkShadowCasters::GetBodies() const
 double vtkShadowCasters::GetLargestRise(const vtkProp* prop) const
 {
   return this->Impl->List.GetLargestRise(prop);
+}
+
+//------------------------------------------------------------------------------
+const std::array<double, 3>& vtkShadowCasters::GetOrigin() const
+{
+  return this->Impl->List.Origin;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowCasterShape> vtkShadowCasters::GetShapes() const
+{
+  std::vector<vtkShadowCasterShape> shapes;
+  for (const vtkShadowCasterEntry& entry : this->Impl->List.Entries)
+  {
+    if (entry.DrawsFromBuffer() || entry.DrawsThroughMapper())
+    {
+      shapes.push_back(entry.GetShape());
+    }
+  }
+  return shapes;
 }
 
 //------------------------------------------------------------------------------

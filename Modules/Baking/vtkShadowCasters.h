@@ -49,6 +49,7 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
 class vtkWindow;
+struct vtkShadowCasterShape;
 struct vtkShadowMapView;
 
 class VTKRENDERINGSOFTSHADOWSBAKING_EXPORT vtkShadowCasters : public vtkObject
@@ -128,6 +129,12 @@ public:
    * unless all of it lies in one plane.
    */
   double GetLargestRise(const vtkProp* prop) const;
+
+  /// What coordinates of the casters are best taken relative to: floats are finest where the detail is.
+  const std::array<double, 3>& GetOrigin() const;
+
+  /// Everything that casts, for techniques that do without depth maps.
+  std::vector<vtkShadowCasterShape> GetShapes() const;
 
   ///@{
   /// Counts for statistics.

@@ -53,6 +53,21 @@ public:
 
   void ReleaseGraphicsResources();
 
+  ///@{
+  /// As placed: 3 coordinates per end relative to the centre, two ends per stroke, dots before lines.
+  const std::vector<float>& GetEnds() const { return this->Local; }
+  const std::array<double, 3>& GetCenter() const { return this->Center; }
+  int GetNumberOfDots() const { return this->NumberOfDots; }
+  ///@}
+
+  ///@{
+  /// How they are drawn; sizes in pixels.
+  double GetPointSize() const { return this->PointSize; }
+  double GetLineWidth() const { return this->LineWidth; }
+  bool HasSpheres() const { return this->Spheres; }
+  bool HasTubes() const { return this->Tubes; }
+  ///@}
+
 private:
   void AddDots(vtkPoints* points, vtkCellArray* cells, std::vector<char>& isDone);
   void AddLines(vtkPoints* points, vtkCellArray* cells, bool closed, bool strips);

@@ -196,6 +196,16 @@ void vtkShadowTextureArray::SetLevelRange(int base, int maximum)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowTextureArray::WriteLayer(int layer, const float* values)
+{
+  const vtkShadowScopedPixelStore pixelStore;
+  this->Activate(this->Watch.GetWindow());
+  glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, this->Width, this->Height, 1,
+    GetFormatInfo(this->Format).External, GL_FLOAT, values);
+  this->Deactivate();
+}
+
+//------------------------------------------------------------------------------
 std::vector<float> vtkShadowTextureArray::ReadLayer(int layer, int level)
 {
   const FormatInfo info = GetFormatInfo(this->Format);

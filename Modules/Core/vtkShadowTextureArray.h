@@ -86,6 +86,9 @@ public:
   /// Sampling clamps to levels [base, maximum], so that a level can be read while another is drawn.
   void SetLevelRange(int base, int maximum);
 
+  /// Fills a layer from the CPU: width * height * components floats, bottom row first.
+  void WriteLayer(int layer, const float* values);
+
   /// Copies a layer to the CPU: width * height * components floats of that level, bottom row first.
   std::vector<float> ReadLayer(int layer, int level = 0);
 

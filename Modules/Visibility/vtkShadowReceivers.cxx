@@ -9,7 +9,6 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPixelBufferObject.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowFailures.h"
@@ -48,15 +47,20 @@ void AllocateColor(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int
   texture->Allocate2D(width, height, 4, VTK_FLOAT);
 }
 // Four floats per pixel, bottom row first.
+void ReadColor(vtkTextureObject* texture, std::vector<float>& values)
+{
+  values.resize(4 * static_cast<size_t>(texture->GetWidth()) * texture->GetHeight());
+  const vtkShadowScopedPixelStore pixelStore;
+  vtkShadowTextureUnit unit;
+  unit.Bind(texture->GetContext(), GL_TEXTURE_2D, texture->GetHandle());
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, values.data());
+  unit.Release();
+}
+
 std::vector<float> ReadColor(vtkTextureObject* texture)
 {
-  unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
-  vtkIdType increments[2] = { 0, 0 };
-  std::vector<float> values(4 * static_cast<size_t>(size[0]) * size[1]);
-  const vtkShadowScopedPixelStore pixelStore;
-  vtkSmartPointer<vtkPixelBufferObject> buffer;
-  buffer.TakeReference(texture->Download());
-  buffer->Download2D(VTK_FLOAT, values.data(), size, 4, increments);
+  std::vector<float> values;
+  ReadColor(texture, values);
   return values;
 }
 } // namespace
@@ -198,6 +202,25 @@ bool vtkShadowReceivers::HasSmooth()
     }
   }
   return this->FoundSmooth == 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowReceivers::Read(std::vector<float>& positions, std::vector<float>& normals)
+{
+  ReadColor(this->Positions, positions);
+  if (!this->Smooth)
+  {
+    ReadColor(this->Normals, normals);
+    return;
+  }
+  ReadColor(this->Surfaces, normals);
+  for (size_t i = 0; i < normals.size(); i += 4)
+  {
+    for (size_t k = 0; k < 3; ++k)
+    {
+      positions[i + k] += normals[i + 3] * normals[i + k];
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,8 @@
 #include "vtkSmartPointer.h"                         // For the image
 #include "vtkSoftShadowsABI.h"                       // For the ABI namespace
 
-#include <array> // For matrices
+#include <array>  // For matrices
+#include <vector> // For copies
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
@@ -79,6 +80,12 @@ public:
 
   /// Whether any of the smooth receivers is not on its triangle. Waits for the GPU, the first time.
   bool HasSmooth();
+
+  /**
+   * Copies the receivers to the processor's memory as shaders see them: of each pixel the view position
+   * with its mark, and the plane's normal, four floats each, bottom row first. Waits for the GPU.
+   */
+  void Read(std::vector<float>& positions, std::vector<float>& normals);
 
   /// Linear view depth, float, NaN where there is no surface, bottom row first.
   vtkSmartPointer<vtkImageData> ReadDepth();

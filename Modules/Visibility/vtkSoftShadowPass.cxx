@@ -338,7 +338,8 @@ void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
   const vtkShadowMapFitter fitter(impl.Casters->GetBodies());
   const bool proves = this->EarlyOut && this->GetProof() != PROVES_NOTHING;
   const bool pyramid = proves || this->NeedsPyramid();
-  const bool faceMaps = pyramid || (this->Split == 1 && this->NeedsEmitterMap());
+  const int split = this->CutsLights() ? this->Split : 1;
+  const bool faceMaps = pyramid || (split == 1 && this->NeedsEmitterMap());
   int tooNear = 0;
   for (const Internals::LitLight& light : impl.Lights)
   {
@@ -353,8 +354,8 @@ void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
     }
     vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
     const vtkShadowFailures failures;
-    maps.Fit(light.Emitter, fitter, impl.Casters->GetBodiesTime(), this->Split,
-      this->HasGaussianWeights());
+    maps.Fit(
+      light.Emitter, fitter, impl.Casters->GetBodiesTime(), split, this->HasGaussianWeights());
     tooNear += maps.GetNumberTooNear();
     if (faceMaps)
     {

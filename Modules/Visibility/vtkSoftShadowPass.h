@@ -318,6 +318,20 @@ protected:
   virtual bool BeginVisibility(const vtkSoftShadowContext&) { return false; }
   virtual void PrepareVisibility(const vtkSoftShadowContext&) {}
 
+  /**
+   * For progressive mode: adds what pixels see of one point of the context's emitter, its weight or nothing,
+   * to the bound framebuffer, as AddVisibility but without marks. False, the default, lets the base class
+   * draw it with a depth map of its own.
+   */
+  virtual bool AddPointVisibility(
+    const vtkSoftShadowContext&, const vtkShadowLightSampling::Sample&)
+  {
+    return false;
+  }
+
+  /// Whether Split cuts lights; if not, it changes nothing. Default is yes.
+  virtual bool CutsLights() const { return true; }
+
   /// Whether AddVisibility needs a map from the emitter's centre. Default is yes.
   virtual bool NeedsEmitterMap() const { return true; }
 
@@ -406,9 +420,9 @@ protected:
   /**
    * Times what follows under this name (a literal) in the statistics' milliseconds; repeated names
    * add up. What AddVisibility does before its first step, and a technique that names none, counts
-   * as "visibility".
+   * as "visibility". What is done on the processor is timed by the clock.
    */
-  void BeginStep(const char* name);
+  void BeginStep(const char* name, bool onProcessor = false);
 
   /// For counts that techniques add to.
   vtkSoftShadowStatistics& ChangeStatistics();
@@ -456,6 +470,8 @@ private:
   void AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
   bool AddRun(vtkSoftShadowContext& context, int run);
   bool AddPoint(vtkSoftShadowContext& context, int layer, int index);
+  bool AddMappedPoint(
+    const vtkSoftShadowContext& context, int layer, const vtkShadowLightSampling::Sample& sample);
   void LookAtMean(vtkOpenGLRenderWindow* window);
   void LoseMaps(vtkOpenGLRenderWindow* window, const std::string& reason);
   void ClearMean(vtkOpenGLRenderWindow* window);

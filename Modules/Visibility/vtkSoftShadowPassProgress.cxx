@@ -191,43 +191,59 @@ bool vtkSoftShadowPass::AddPoint(vtkSoftShadowContext& context, int layer, int i
   }
   const int weights =
     this->HasGaussianWeights() ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN;
-  const int mapSize = impl.Schedule.GetMapSize();
-  vtkShadowDepthMaps* maps = impl.PointMaps;
   for (size_t f = 0; f < faces.size(); ++f)
   {
     context.Emitter = faces[f].Emitter;
     context.FaceAxis = faces[f].Axis;
-    const vtkSoftShadowSamples point = vtkSoftShadowPass::FitSamples(
-      context, { vtkShadowLightSampling::PointOfSequence(context.Emitter, index, weights) });
-    if (!point.Views.empty())
-    {
-      const int baked = maps->Bake(context.Renderer, context.Casters, point.Views, mapSize);
-      if (baked < 0)
-      {
-        return false;
-      }
-      impl.Statistics.MapsBaked += baked;
-      impl.Statistics.TexelsDrawn += static_cast<vtkTypeInt64>(baked) * mapSize * mapSize;
-    }
-    if (!impl.Accumulator->BeginSum(context.Window, layer) || !impl.PointShader.Use(context.Window))
+    const vtkShadowLightSampling::Sample point =
+      vtkShadowLightSampling::PointOfSequence(context.Emitter, index, weights);
+    if (!impl.Accumulator->BeginSum(context.Window, layer))
     {
       return false;
     }
-    vtkShaderProgram* program = impl.PointShader.GetProgram();
-    program->SetUniformf("litWeight", point.LitWeight);
-    this->SetReceiverUniforms(program, context);
-    vtkSoftShadowPass::SetSampleUniforms(program, context, point.Views.data(), point.Weights.data(),
-      point.Views.size(), 0, mapSize, 1);
-    program->SetUniformi("depthMaps", maps->GetTexture()->Activate(context.Window));
-    impl.PointShader.Draw();
-    maps->GetTexture()->Deactivate();
-    context.Receivers->Deactivate();
+    if (!this->AddPointVisibility(context, point) && !this->AddMappedPoint(context, layer, point))
+    {
+      return false;
+    }
     if (f == 0)
     {
-      impl.PointWeights[layer] +=
-        point.LitWeight + (point.Weights.empty() ? 0.0f : point.Weights.front());
+      impl.PointWeights[layer] += context.Emitter.Weight * point.Weight;
     }
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::AddMappedPoint(
+  const vtkSoftShadowContext& context, int layer, const vtkShadowLightSampling::Sample& sample)
+{
+  Internals& impl = *this->Impl;
+  const int mapSize = impl.Schedule.GetMapSize();
+  vtkShadowDepthMaps* maps = impl.PointMaps;
+  const vtkSoftShadowSamples point = vtkSoftShadowPass::FitSamples(context, { sample });
+  if (!point.Views.empty())
+  {
+    const int baked = maps->Bake(context.Renderer, context.Casters, point.Views, mapSize);
+    if (baked < 0)
+    {
+      return false;
+    }
+    impl.Statistics.MapsBaked += baked;
+    impl.Statistics.TexelsDrawn += static_cast<vtkTypeInt64>(baked) * mapSize * mapSize;
+  }
+  if (!impl.Accumulator->BeginSum(context.Window, layer) || !impl.PointShader.Use(context.Window))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = impl.PointShader.GetProgram();
+  program->SetUniformf("litWeight", point.LitWeight);
+  this->SetReceiverUniforms(program, context);
+  vtkSoftShadowPass::SetSampleUniforms(
+    program, context, point.Views.data(), point.Weights.data(), point.Views.size(), 0, mapSize, 1);
+  program->SetUniformi("depthMaps", maps->GetTexture()->Activate(context.Window));
+  impl.PointShader.Draw();
+  maps->GetTexture()->Deactivate();
+  context.Receivers->Deactivate();
   return true;
 }
 

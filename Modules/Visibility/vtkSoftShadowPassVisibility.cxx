@@ -241,9 +241,9 @@ void vtkSoftShadowPass::EstimatePart(
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowPass::BeginStep(const char* name)
+void vtkSoftShadowPass::BeginStep(const char* name, bool onProcessor)
 {
-  this->Impl->Timers.BeginStep(name);
+  this->Impl->Timers.BeginStep(name, onProcessor);
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,9 @@
 #include "vtkScreenSpaceSoftShadowPass.h"
 #include "vtkSeparableSoftShadowPass.h"
 #include "vtkVirtualSoftShadowPass.h"
+#ifdef SOFTSHADOWS_HAS_TRACED
+#include "vtkTracedSoftShadowPass.h"
+#endif
 
 #include <ostream>
 
@@ -152,6 +155,19 @@ vtkSmartPointer<vtkSoftShadowPass> MakeVirtual(Effort effort, Weights weights)
   return pass;
 }
 
+#ifdef SOFTSHADOWS_HAS_TRACED
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkSoftShadowPass> MakeTraced(Effort effort, Weights weights)
+{
+  auto pass = vtkSmartPointer<vtkTracedSoftShadowPass>::New();
+  pass->SetRays(Choose(effort, 64, 16, 4));
+  pass->SetMostRays(Choose(effort, 256, 64, 16));
+  pass->SetWeights(
+    weights == Weights::Gaussian ? vtkShadowLightSampling::GAUSSIAN : vtkShadowLightSampling::MEAN);
+  return pass;
+}
+#endif
+
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkSoftShadowPass> MakeBilateral(Effort effort, Weights weights)
 {
@@ -177,6 +193,9 @@ const std::vector<Technique>& AllTechniques()
     { "Cascaded", MakeCascaded, 0.01, 0.03, 1.0 / 16.0, 0.005, true },
     { "AdaptiveSampled", MakeAdaptiveSampled, 0.02, 0.03, 1.0 / 16.0 },
     { "Virtual", MakeVirtual, 0.015, 0.03, 1.0 / 8.0, 0.0, true },
+#ifdef SOFTSHADOWS_HAS_TRACED
+    { "Traced", MakeTraced, 0.01, 0.03, 1.0 / 16.0, 0.008, true, false, false },
+#endif
   };
   return techniques;
 }

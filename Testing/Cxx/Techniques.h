@@ -49,6 +49,8 @@ struct Technique
   bool IsContinuous = false;
   /// Whether pixels proved lit or blocked are left out; not where neighbours need their value.
   bool HasProof = true;
+  /// Whether it sees the casters in depth maps.
+  bool HasMaps = true;
 };
 
 const std::vector<Technique>& AllTechniques();

@@ -86,7 +86,7 @@ TEST_P(Limit, PartsOfTheLight)
   pass->SetSplit(4);
   const double parts = Error(stage.RenderVisibility(scene.Lamp), reference);
   EXPECT_LT(parts, 0.02) << "unsplit: " << whole;
-  EXPECT_LT(parts, whole);
+  EXPECT_TRUE(parts < whole || (!this->GetParam().HasMaps && parts == whole));
 }
 
 //------------------------------------------------------------------------------
@@ -121,7 +121,9 @@ TEST_P(Limit, HardShadowsAreTheSame)
   const Picture hard = this->Draw(scene);
   const auto first = AllTechniques().front().Make(Effort::Quick, Weights::Mean);
   Stage stage(scene.Renderer, first, Width, Height);
-  EXPECT_TRUE(Matches(hard, stage.RenderVisibility(scene.Lamp), Identical));
+  const Picture other = stage.RenderVisibility(scene.Lamp);
+  // Without a map nothing rounds to its texels: pixels on the very edge may be on the other side.
+  EXPECT_LE(Compare(hard, other, Identical).ShareOff, this->GetParam().HasMaps ? 0.0 : 0.001);
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Limit, testing::ValuesIn(AllTechniques()), NameOfTechnique);

@@ -128,7 +128,8 @@ TEST_P(Pitfall, MapSizeChangesAfterTheFirstFrame)
   const Picture fine = stage.RenderVisibility(this->Scene.Lamp);
   stage.SetPass(this->GetParam().Make(Effort::Quick, Weights::Mean));
   EXPECT_TRUE(Matches(fine, stage.RenderVisibility(this->Scene.Lamp), Identical));
-  EXPECT_FALSE(Matches(fine, coarse, SameButForFlips)) << "32 texels make a visible difference";
+  EXPECT_EQ(static_cast<bool>(Matches(fine, coarse, SameButForFlips)), !this->GetParam().HasMaps)
+    << "32 texels make a visible difference";
 }
 
 //------------------------------------------------------------------------------

@@ -108,7 +108,8 @@ TEST_P(Surface, PlaneDoesNotShadowItself)
       const auto pass = this->MakePass();
       Stage stage(renderer, pass, Width, Height);
       const Picture visibility = stage.RenderVisibility(light);
-      EXPECT_GT(pass->GetStatistics().MapsBaked, 0) << "the ground must be in the map";
+      EXPECT_TRUE(!this->GetParam().HasMaps || pass->GetStatistics().MapsBaked > 0)
+        << "the ground must be in the map";
       ExpectLit(
         visibility, std::to_string(degrees) + " degrees, " + (directional ? "sun" : "lamp"));
     }
@@ -130,7 +131,7 @@ TEST_P(Surface, SphereDoesNotShadowItself)
   const auto pass = this->MakePass();
   Stage stage(renderer, pass, Width, Height);
   const Picture visibility = stage.RenderVisibility(sun);
-  EXPECT_GT(pass->GetStatistics().MapsBaked, 0);
+  EXPECT_TRUE(!this->GetParam().HasMaps || pass->GetStatistics().MapsBaked > 0);
   int tested = 0;
   for (int y = 0; y < Height; ++y)
   {

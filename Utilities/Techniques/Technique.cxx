@@ -156,6 +156,12 @@ const Technique& FindTechnique(const std::string& name)
     }
     known.push_back(technique.Name);
   }
+#ifndef SOFTSHADOWS_HAS_TRACED
+  if (name == "traced")
+  {
+    throw std::runtime_error("technique 'traced' is not built here: it needs Embree 3 or 4");
+  }
+#endif
   throw std::runtime_error("there is no technique '" + name + "'; " + DidYouMean(name, known));
 }
 

@@ -16,6 +16,9 @@ Technique MakeBilateralTechnique();
 Technique MakeVirtualTechnique();
 Technique MakeMarchedTechnique();
 Technique MakeAdaptiveSampledTechnique();
+#ifdef SOFTSHADOWS_HAS_TRACED
+Technique MakeTracedTechnique();
+#endif
 
 //--------------------------------------------------------------------------------------------------
 const std::vector<Technique>& GetTechniques()
@@ -32,6 +35,9 @@ const std::vector<Technique>& GetTechniques()
       MakeVirtualTechnique(),
       MakeMarchedTechnique(),
       MakeAdaptiveSampledTechnique(),
+#ifdef SOFTSHADOWS_HAS_TRACED
+      MakeTracedTechnique(),
+#endif
     };
     for (Technique& technique : all)
     {

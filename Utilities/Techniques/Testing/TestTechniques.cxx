@@ -141,6 +141,14 @@ TEST(Techniques, RefuseWhatIsUnknownAndSayWhatThereIs)
     "option 'early_out': must be off or on, is 'yes'");
 }
 
+TEST(Techniques, SayWhenRaysAreNotBuilt)
+{
+  const std::string error = ErrorOf([] { FindTechnique("traced"); });
+  EXPECT_TRUE(
+    error.empty() || error == "technique 'traced' is not built here: it needs Embree 3 or 4")
+    << error;
+}
+
 TEST(Techniques, CutOptions)
 {
   EXPECT_EQ(SplitOption("a=b"), (std::pair<std::string, std::string>{ "a", "b" }));
