@@ -65,6 +65,10 @@ float vtkTracedFilter::FindOwnWidth(int x, int y) const
 {
   const std::size_t pixel = this->At(x, y);
   const vtkTracedPixel& sums = this->Pixels[pixel];
+  if (sums.Hits == 0.0f)
+  {
+    return Infinity;
+  }
   // The pixel's own size, where it is the longest.
   float footprint = 0.0f;
   const float* p = this->Receivers.GetPosition(pixel);
@@ -91,7 +95,7 @@ float vtkTracedFilter::FindOwnWidth(int x, int y) const
 }
 
 //------------------------------------------------------------------------------
-float vtkTracedFilter::FindWidth(int x, int y) const
+float vtkTracedFilter::FindWidth(int x, int y, const std::vector<float>& widths) const
 {
   const Window window = this->GetWindow(x, y, Reach);
   float width = Infinity;
@@ -99,10 +103,7 @@ float vtkTracedFilter::FindWidth(int x, int y) const
   {
     for (int column = window.Left; column <= window.Right; ++column)
     {
-      if (this->Pixels[this->At(column, row)].Hits > 0.0f)
-      {
-        width = std::min(width, this->FindOwnWidth(column, row));
-      }
+      width = std::min(width, widths[this->At(column, row)]);
     }
   }
   return width;

@@ -27,8 +27,11 @@ public:
   vtkTracedFilter(const vtkTracedReceivers& receivers, const vtkTracedLight& light,
     const std::vector<vtkTracedPixel>& pixels);
 
-  /// The narrowest penumbra around a pixel, in pixels; infinite if there is none.
-  float FindWidth(int x, int y) const;
+  /// The width of the penumbra that what stopped a pixel's rays throws, in pixels; infinite if nothing did.
+  float FindOwnWidth(int x, int y) const;
+
+  /// The least of these around a pixel, of which widths has one per pixel.
+  float FindWidth(int x, int y, const std::vector<float>& widths) const;
 
   /// Whether pixels around this one saw parts of the light, or some all of it and some nothing.
   bool IsMixed(int x, int y) const;
@@ -52,7 +55,6 @@ private:
   };
   Window GetWindow(int x, int y, int reach) const;
   std::size_t At(int x, int y) const { return static_cast<std::size_t>(y) * this->Width + x; }
-  float FindOwnWidth(int x, int y) const;
   bool AreOnOneSurface(std::size_t a, std::size_t b) const;
 
   const vtkTracedReceivers& Receivers;

@@ -91,11 +91,15 @@ long long vtkTracedPicture::Trace(const vtkTracedScene& scene, const vtkTracedLi
   if (steps.Adapts || steps.Filters)
   {
     constexpr float none = -1.0f;
+    this->OwnWidths.resize(count);
+    this->ForEachPixel(workers,
+      [&](int x, int y, std::size_t pixel) { this->OwnWidths[pixel] = filter.FindOwnWidth(x, y); });
     this->ForEachPixel(workers,
       [&](int x, int y, std::size_t pixel)
       {
-        widths[pixel] =
-          this->Pixels[pixel].IsKnown() && filter.IsMixed(x, y) ? filter.FindWidth(x, y) : none;
+        widths[pixel] = this->Pixels[pixel].IsKnown() && filter.IsMixed(x, y)
+          ? filter.FindWidth(x, y, this->OwnWidths)
+          : none;
       });
   }
   if (steps.Adapts && light.GetMostRays() > light.GetRays())

@@ -50,6 +50,7 @@ private:
   int Width = 0;
   int Height = 0;
   std::vector<vtkTracedPixel> Pixels;
+  std::vector<float> OwnWidths; // of penumbrae, see vtkTracedFilter
   std::vector<float> Visibilities;
 };
 

@@ -91,11 +91,11 @@ tolerance is no larger than chance (0.004; 0.021, four pixels, under lights of n
 Figures are root mean square errors of the visibility against the ray tracer (256 rays per pixel, itself
 good to 0.005 in the penumbra), over all pixels of a picture of 96 x 96 that show the same surface in
 both. Maps have 512 texels along an edge. 64 points stand for the light (32 for Bilateral, up to 81 for
-AdaptiveSampled, 32 rays for Marched; 15 to 25 in `MillionTriangles`). Single pixels at a hard edge or a
+AdaptiveSampled, 32 rays for Marched, 16 to 64 for Traced; 15 to 25 in `MillionTriangles`). Single pixels at a hard edge or a
 silhouette that fall to the other side add 0.01 each. A figure in bold is outside of its tolerance.
 
 Columns are named by class: Sampled is `sampled`, PercentageCloser `pcss`, Marched `marched`, Bilateral
-`sbfs`, Separable `sssm`, Cascaded `cascaded`, AdaptiveSampled `fassalss`, Virtual `pvssm`.
+`sbfs`, Separable `sssm`, Cascaded `cascaded`, AdaptiveSampled `fassalss`, Virtual `pvssm`, Traced `traced`.
 )";
 }
 

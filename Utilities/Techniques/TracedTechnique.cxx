@@ -26,7 +26,7 @@ Technique MakeTracedTechnique()
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(
     pass, Weights, "weights", "uniform light, or bright in its middle", { "mean", "gaussian" }));
   technique.Draft.Options = { { "rays", "2" }, { "adaptive", "off" } };
-  technique.Best.Options = { { "rays", "16" }, { "most_rays", "64" } };
+  technique.Best.Options = { { "rays", "8" }, { "most_rays", "64" } };
   return technique;
 }
 
