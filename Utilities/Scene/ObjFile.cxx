@@ -3,6 +3,9 @@
 
 #include "ObjFile.h"
 
+#include "FaceCorners.h"
+#include "TextLines.h"
+
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -30,6 +33,7 @@ class ObjLines
 public:
   explicit ObjLines(const std::string& path)
     : Stream(path, std::ios::binary)
+    , Lines(this->Stream)
   {
   }
 
@@ -39,14 +43,11 @@ public:
     std::string part;
     bool goesOn = true;
     bool found = false;
-    for (; goesOn && std::getline(this->Stream, part); found = true)
+    for (; goesOn && this->Lines.Next(part); found = true)
     {
-      if (this->Number++ == 0 && part.compare(0, 3, "\xef\xbb\xbf") == 0)
-      {
-        part.erase(0, 3); // the byte-order mark
-      }
+      this->Number++;
       part.erase(std::min(part.find('#'), part.size()));
-      part.erase(part.find_last_not_of(" \t\r") + 1);
+      part.erase(part.find_last_not_of(" \t") + 1);
       goesOn = !part.empty() && part.back() == '\\';
       if (goesOn)
       {
@@ -64,6 +65,7 @@ public:
 
 private:
   std::ifstream Stream;
+  TextLines Lines;
   std::int64_t Number = 0;
 };
 
@@ -170,7 +172,7 @@ private:
     {
       corners.push_back(this->ReadCorner(word));
     }
-    if (corners.size() < 3)
+    if (!HasThreePoints(corners, [](const Corner& corner) { return corner.first; }))
     {
       this->File.NotShown["faces of fewer than three corners"] += 1;
       return;

@@ -3,6 +3,7 @@
 
 #include "PlyFile.h"
 
+#include "FaceCorners.h"
 #include "PlyHeader.h"
 
 #include "vtkCellArray.h"
@@ -241,7 +242,7 @@ void ReadFaces(
       {
         AddStrips(corners, file, cells.Strips);
       }
-      else if (corners.size() >= 3)
+      else if (HasThreePoints(corners, [](vtkIdType corner) { return corner; }))
       {
         cells.Faces->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
         cells.FaceNumbers.push_back(n);

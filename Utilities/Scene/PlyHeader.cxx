@@ -3,6 +3,8 @@
 
 #include "PlyHeader.h"
 
+#include "TextLines.h"
+
 #include <sstream>
 #include <stdexcept>
 
@@ -108,7 +110,8 @@ PlyHeader ReadPlyHeader(std::istream& stream)
   PlyHeader header;
   std::string line;
   bool hasFormat = false;
-  for (int number = 0; std::getline(stream, line); ++number)
+  TextLines lines(stream);
+  for (int number = 0; lines.Next(line); ++number)
   {
     std::istringstream words(line);
     std::string keyword;

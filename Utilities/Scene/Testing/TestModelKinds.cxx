@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 
 #include "vtkCellData.h"
@@ -145,6 +146,22 @@ TEST_F(ModelKinds, ObjMayHaveWhatEditorsWrite)
   EXPECT_THAT(this->NotShown(), HasSubstr("a.obj' has what is not shown: 1 materials"));
 }
 
+TEST_F(ModelKinds, LinesMayEndAsOnAnySystem)
+{
+  const std::string ply =
+    "\xef\xbb\xbfply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string obj = Square + "f 1 2 3\nf 1 3 4\n";
+  for (const std::string end : { "\n", "\r\n", "\r" })
+  {
+    EXPECT_EQ(
+      this->Load("a.ply", std::regex_replace(ply, std::regex("\n"), end))->GetNumberOfPolys(), 1);
+    EXPECT_EQ(
+      this->Load("a.obj", std::regex_replace(obj, std::regex("\n"), end))->GetNumberOfPolys(), 2);
+  }
+}
+
 TEST_F(ModelKinds, TextIsNotRounded)
 {
   EXPECT_EQ(this->Load("a.obj", "v 5403210.123 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")->GetPoint(0)[0],
@@ -173,9 +190,10 @@ TEST_F(ModelKinds, WhatIsNotShownIsCountedAndNamed)
 {
   EXPECT_EQ(this->Load("a.obj", Square + "f 1 2 3\n")->GetNumberOfPolys(), 1);
   EXPECT_EQ(this->NotShown(), "");
-  this->Load("b.obj", Square + "f 1 2 3\nf 1 2\nl 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nwhat\n");
+  this->Load("b.obj",
+    Square + "f 1 2 3\nf 1 2\nf 1 1 1\nf 1 2 2 1\nl 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nwhat\n");
   EXPECT_THAT(this->NotShown(),
-    HasSubstr("1 faces of fewer than three corners, 1 free-form curves and surfaces, 2 lines, "
+    HasSubstr("3 faces of fewer than three corners, 1 free-form curves and surfaces, 2 lines, "
               "1 points, 1 statements of unknown kinds"));
   this->Load("c.ply",
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
