@@ -21,6 +21,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -74,6 +75,22 @@ void WriteText(const std::string& path, const std::string& text)
 }
 
 //--------------------------------------------------------------------------------------------------
+// A light that could throw shadows and does not is no error, but should not go unseen.
+void SayWhichLightsCastNothing(const vtkSoftShadowPass* pass)
+{
+  std::istringstream lines(pass->GetLightReport());
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t colon = line.find(": ");
+    if (line.compare(colon, 17, ": casts nothing: ") == 0 ||
+      line.find(", but not with") != std::string::npos)
+    {
+      std::cerr << "softshadow: " << line << '\n';
+    }
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
 void Render(const RenderOptions& options)
 {
   const Technique& technique = FindTechnique(options.Technique.Name);
@@ -122,6 +139,10 @@ void Render(const RenderOptions& options)
       }
     });
   outputs.Commit();
+  if (!built.Lights.empty())
+  {
+    SayWhichLightsCastNothing(pass);
+  }
   if (options.Converge > 0.0 && !pass->GetConverged())
   {
     std::cerr << "softshadow: not converged to " << options.Converge << " after "

@@ -242,6 +242,19 @@ TEST_F(Render, LooksForModelsInTheFoldersGiven)
   EXPECT_TRUE(this->Files().count("a.png"));
 }
 
+TEST_F(Render, SaysWhichLightsCastNothing)
+{
+  this->Write("scene.json", R"({"version": 1, "image": {"width": 16, "height": 12},
+    "lights": [{"position": [0, 1, 5], "size": [1, 1]},
+      {"position": [0, 1e200, 1e200], "size": [1, 1]}],
+    "objects": [{"source": "plane"}]})");
+  const ToolResult result = this->Run("render scene.json -o a.png --option map_size=256");
+  EXPECT_EQ(result.ExitCode, 0);
+  EXPECT_EQ(result.Output,
+    "softshadow: light 1: casts nothing: its position is too far from its focal point for a "
+    "direction to be computed\n");
+}
+
 TEST_F(Render, ConvergesAndReportsIt)
 {
   this->Write("scene.json", SquareScene);
