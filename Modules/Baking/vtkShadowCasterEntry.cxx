@@ -206,8 +206,8 @@ vtkShadowCasterEntry::Change vtkShadowCasterEntry::Place(vtkShadowCasterBuffer& 
 }
 
 //------------------------------------------------------------------------------
-// Looking for closed surfaces pays where the same triangles are drawn many times: not if they change
-// all the time, and not if they are so many that the search would be felt.
+// Looking for closed surfaces pays where the same triangles are drawn many times: not if they
+// change all the time, and not if they are so many that the search would be felt.
 void vtkShadowCasterEntry::FindFacing()
 {
   constexpr int PATIENCE = 2;

@@ -46,8 +46,8 @@ public:
   bool HasBody = false;
 
   /**
-   * Whether anything that receives lies on the negative and on the positive side of a flat body. Both
-   * for any other.
+   * Whether anything that receives lies on the negative and on the positive side of a flat body.
+   * Both for any other.
    */
   std::array<bool, 2> HasReceivers{ { true, true } };
 

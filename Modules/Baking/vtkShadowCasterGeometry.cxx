@@ -397,8 +397,8 @@ void vtkShadowCasterGeometry::FindPlane()
 }
 
 //------------------------------------------------------------------------------
-// The smallest rectangle among some directions: those of the first edges, which are the true ones for
-// rectangles and grids, and eight even ones.
+// The smallest rectangle among some directions: those of the first edges, which are the true ones
+// for rectangles and grids, and eight even ones.
 void vtkShadowCasterGeometry::FindCorners(const std::array<double, 3>& base,
   const std::array<double, 3>& axis, const std::array<double, 3>& normal)
 {

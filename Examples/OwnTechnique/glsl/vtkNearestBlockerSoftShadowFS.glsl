@@ -8,7 +8,8 @@
 //SoftShadows::Include vtkShadowKernel
 
 uniform mat4 viewToMap;
-uniform vec2 kernelScale; // half extent of the light's image, per map depth between it and the receiver
+// Half extent of the light's image, per map depth between it and the receiver.
+uniform vec2 kernelScale;
 uniform float mapLayer;
 uniform int filterWidth; // taps along an edge
 uniform float weight;    // of this emitter
