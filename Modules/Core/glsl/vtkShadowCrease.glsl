@@ -16,19 +16,12 @@ const float creaseSteepness = 3.0;
 // Half the light's image there, in texels, at most.
 const float creaseAslant = 0.25;
 
-// How far the map's texel at st is in front of the receiver's plane.
-float gapAt(MapPoint point, vec2 st, float layer)
-{
-  return planeDepth(point, st) - mapDepth(st, layer);
-}
-
 // Of four texels, in the order of textureGather.
 vec4 gapsAround(MapPoint point, vec2 corner, float layer)
 {
   vec2 side = vec2(0.5, -0.5);
-  return vec4(gapAt(point, (corner + side.yx) / depthMapSize, layer),
-    gapAt(point, (corner + side.xx) / depthMapSize, layer), gapAt(point, (corner + side.xy) / depthMapSize, layer),
-    gapAt(point, (corner + side.yy) / depthMapSize, layer));
+  return vec4(gapOf(point, corner + side.yx, layer), gapOf(point, corner + side.xx, layer),
+    gapOf(point, corner + side.xy, layer), gapOf(point, corner + side.yy, layer));
 }
 
 // Whether the texels around the receiver show that nothing ends there, or that the other surface, which
@@ -66,7 +59,7 @@ bool isInCrease(MapPoint point, vec2 kernelScale, float reach, float layer)
   // Most receivers see their own surface on the way along their normal, or nothing.
   vec2 ahead = point.std.xy * depthMapSize + creaseLook * point.lift;
   if (!point.facesCenter || point.lift == vec2(0.0) ||
-    gapAt(point, (floor(ahead) + 0.5) / depthMapSize, layer) <= point.bias)
+    gapOf(point, floor(ahead) + 0.5, layer) <= point.bias)
   {
     return false;
   }
@@ -85,7 +78,7 @@ bool isInCrease(MapPoint point, vec2 kernelScale, float reach, float layer)
   bool nears = here <= reach * length(slope) && dot(slope, point.lift) > 0.0;
   // A surface that bends over as far on its other side may bend away before it comes here.
   vec2 beyond = floor(corner + creaseLook * point.lift) + 0.5;
-  float bend = abs(gapAt(point, beyond / depthMapSize, layer) - middle - dot(slope, beyond - corner)) +
+  float bend = abs(gapOf(point, beyond, layer) - middle - dot(slope, beyond - corner)) +
     abs(gaps.x - gaps.y + gaps.z - gaps.w);
   // Bumps and folds of one surface are not as steep.
   bool isSure = here > bend && middle >= creaseSteepness * point.bias;
