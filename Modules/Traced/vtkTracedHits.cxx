@@ -7,6 +7,8 @@
 #include "vtkTracedScene.h"
 #include "vtkTracedSurface.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -14,13 +16,24 @@ namespace
 {
 
 bool IsOwnPlane(const vtkTracedMesh& mesh, unsigned int triangle, const vtkTracedMap& toLocal,
-  const vtkTracedVector& receiver, double tolerance)
+  const vtkTracedHits& hits, unsigned int ray)
 {
   const std::array<vtkTracedVector, 3> corners = mesh.GetTriangle(triangle);
   const vtkTracedVector normal =
     vtkTraced::Cross(toLocal.Turn(corners[1] - corners[0]), toLocal.Turn(corners[2] - corners[0]));
-  const double distance = vtkTraced::Dot(normal, receiver - toLocal(corners[0]));
-  return distance * distance <= tolerance * tolerance * vtkTraced::Dot(normal, normal);
+  const double length = vtkTraced::Length(normal);
+  const double distance =
+    std::abs(vtkTraced::Dot(normal, hits.Receivers[ray] - toLocal(corners[0])));
+  if (distance <= hits.Tolerances[ray] * length)
+  {
+    return true;
+  }
+  double farthest = 0.0;
+  for (const vtkTracedVector& corner : corners)
+  {
+    farthest = std::max(farthest, vtkTraced::Length(toLocal(corner) - hits.Eye));
+  }
+  return distance <= vtkTracedHits::GetRounding(farthest) * length;
 }
 
 bool IsHole(const vtkTracedMesh& mesh, const RTCFilterFunctionNArguments* arguments, unsigned int i,
@@ -52,7 +65,7 @@ void vtkTracedHits::Judge(const RTCFilterFunctionNArguments* arguments)
     const unsigned int triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
     const unsigned int instance = RTCHitN_instID(arguments->hit, arguments->N, i, 0);
     const vtkTracedMap& toLocal = hits.Scene->GetToLocal(instance);
-    if (IsOwnPlane(mesh, triangle, toLocal, hits.Receivers[ray], hits.Tolerances[ray]) ||
+    if (IsOwnPlane(mesh, triangle, toLocal, hits, ray) ||
       (mesh.GetSurface() && IsHole(mesh, arguments, i, toLocal, *hits.Scene)))
     {
       arguments->valid[i] = 0;

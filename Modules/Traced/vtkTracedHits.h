@@ -28,6 +28,13 @@ struct vtkTracedHits
   vtkTracedContext Context; // first: a pointer to it is a pointer to all
   const vtkTracedScene* Scene = nullptr;
 
+  /// Local coordinates of the place that view coordinates are relative to.
+  vtkTracedVector Eye{};
+
+  /// How far a drawn surface is off its plane, whose farthest corner is so far from the eye: mappers bring
+  /// corners to view coordinates in single precision.
+  static double GetRounding(double distance) { return 5e-7 * distance; }
+
   /// Per ray, which its id counts: where it starts, and how near a plane has to be to be its own.
   std::array<vtkTracedVector, Width> Receivers;
   std::array<double, Width> Tolerances;

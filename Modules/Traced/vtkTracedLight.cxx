@@ -52,6 +52,7 @@ vtkTracedLight::vtkTracedLight(const vtkShadowEmitter& emitter, int faceAxis, in
       // The first rays of all pixels are the sequence's first points, their next ones the next.
       const int index = (i / this->Rays * runs + run) * this->Rays + i % this->Rays;
       this->Points.push_back(this->FindPoint(static_cast<unsigned int>(index), weights));
+      this->Bounds.Add(this->Points.back().Place);
     }
   }
 }
@@ -73,6 +74,19 @@ vtkTracedLight::Point vtkTracedLight::FindPoint(unsigned int index, int weights)
 float vtkTracedLight::GetSize() const
 {
   return static_cast<float>(2.0 * std::min(this->Emitter.HalfSize[0], this->Emitter.HalfSize[1]));
+}
+
+//------------------------------------------------------------------------------
+void vtkTracedLight::End(vtkTracedShaft& shaft, const vtkTracedScene& scene) const
+{
+  if (this->Emitter.Directional)
+  {
+    shaft.EndAlong(this->Bounds, scene.GetReach() + shaft.GetReach());
+  }
+  else
+  {
+    shaft.EndAt(this->Bounds);
+  }
 }
 
 //------------------------------------------------------------------------------

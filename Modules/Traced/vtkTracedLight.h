@@ -13,6 +13,7 @@
 
 #include "vtkShadowEmitter.h"
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkTracedShaft.h"
 #include "vtkTracedVector.h"
 
 #include <vector> // For points
@@ -53,6 +54,9 @@ public:
   /// The lesser of its edges; of a directional light at distance 1.
   float GetSize() const;
 
+  /// Ends a shaft at the points, or far away in all their directions.
+  void End(vtkTracedShaft& shaft, const vtkTracedScene& scene) const;
+
   bool IsDirectional() const { return this->Emitter.Directional; }
 
   /// Whether the emitter serves a point, in local coordinates. At its borders in doubt yes.
@@ -68,6 +72,7 @@ private:
   int MostRays;
   double CosineOfCone;
   std::vector<Point> Points; // of the block's pixels, one after the other
+  vtkTracedBounds Bounds;    // of the points' places
 };
 
 VTK_ABI_NAMESPACE_END

@@ -16,13 +16,14 @@ constexpr float BeforeLight = 1.0f - 1e-5f;
 }
 
 //------------------------------------------------------------------------------
-vtkTracedRays::vtkTracedRays(
-  const vtkTracedScene& scene, const vtkTracedLight& light, std::vector<vtkTracedPixel>& pixels)
+vtkTracedRays::vtkTracedRays(const vtkTracedScene& scene, const vtkTracedLight& light,
+  const vtkTracedVector& eye, std::vector<vtkTracedPixel>& pixels)
   : Scene(scene)
   , Light(light)
   , Pixels(pixels)
 {
   this->Hits.Scene = &scene;
+  this->Hits.Eye = eye;
   for (int i = 0; i < vtkTracedHits::Width; ++i)
   {
     this->Rays.tnear[i] = 0.0f;
@@ -37,7 +38,7 @@ vtkTracedRays::vtkTracedRays(
 void vtkTracedRays::Add(
   std::size_t pixel, int x, int y, const vtkTracedReceivers::Point& receiver, int first, int last)
 {
-  const vtkTracedVector start = receiver.Place + receiver.Precision * receiver.Normal;
+  const vtkTracedVector start = receiver.GetStart();
   const vtkTracedLight::Point* points = this->Light.GetPoints(x, y);
   vtkTracedPixel& sums = this->Pixels[pixel];
   for (int i = first; i < last; ++i)
@@ -45,14 +46,18 @@ void vtkTracedRays::Add(
     const vtkTracedVector way =
       this->Light.IsDirectional() ? points[i].Place : points[i].Place - start;
     sums.All += static_cast<float>(points[i].Weight);
-    if (vtkTraced::Dot(way, receiver.Normal) > 0.0)
-    {
-      this->Push(pixel, receiver, start, way, points[i].Weight);
-    }
-    else
+    if (!(vtkTraced::Dot(way, receiver.Normal) > 0.0))
     {
       // Behind the side that the camera sees the surface itself is in the way.
       sums.IsAtHorizon = true;
+    }
+    else if (this->IsFree)
+    {
+      sums.Lit += static_cast<float>(points[i].Weight);
+    }
+    else
+    {
+      this->Push(pixel, receiver, start, way, points[i].Weight);
     }
   }
 }

@@ -40,8 +40,12 @@ struct vtkTracedPixel
 class vtkTracedRays
 {
 public:
-  vtkTracedRays(
-    const vtkTracedScene& scene, const vtkTracedLight& light, std::vector<vtkTracedPixel>& pixels);
+  /// The eye is that of the receivers.
+  vtkTracedRays(const vtkTracedScene& scene, const vtkTracedLight& light,
+    const vtkTracedVector& eye, std::vector<vtkTracedPixel>& pixels);
+
+  /// From now on nothing is in the way of any ray: none is shot.
+  void SetFree(bool isFree) { this->IsFree = isFree; }
 
   /// Points first to last (exclusive) of the pixel's own.
   void Add(std::size_t pixel, int x, int y, const vtkTracedReceivers::Point& receiver, int first,
@@ -65,6 +69,7 @@ private:
   std::array<std::size_t, vtkTracedHits::Width> PixelOfRay;
   std::array<float, vtkTracedHits::Width> Weights;
   int Waiting = 0;
+  bool IsFree = false;
   long long Shot = 0;
 };
 

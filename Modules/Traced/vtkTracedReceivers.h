@@ -30,6 +30,9 @@ public:
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
 
+  /// Where the camera is, which view coordinates are relative to.
+  const vtkTracedVector& GetEye() const { return this->ViewToLocal.Offset; }
+
   bool Receives(std::size_t pixel) const;
 
   struct Point
@@ -37,6 +40,9 @@ public:
     vtkTracedVector Place;
     vtkTracedVector Normal; // unit, towards the camera
     double Precision;       // how far off the place may be
+
+    /// Where its rays start.
+    vtkTracedVector GetStart() const { return this->Place + this->Precision * this->Normal; }
   };
   Point GetPoint(std::size_t pixel) const;
 

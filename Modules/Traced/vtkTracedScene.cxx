@@ -23,6 +23,7 @@ void vtkTracedScene::Clear()
   this->Entries.clear();
   this->ToLocals.clear();
   this->FreeNumbers.clear();
+  this->Boxes.clear();
   this->Reasons.clear();
   if (this->Handle)
   {
@@ -91,6 +92,7 @@ bool vtkTracedScene::Update(vtkShadowCasters* casters)
   if (this->UpdateEntries(casters, framed) || this->CastersTime == 0)
   {
     rtcCommitScene(this->Handle);
+    this->FindBoxes();
     ++this->Work.ScenesBuilt;
   }
   if (this->Device->HasFailed())
@@ -208,6 +210,35 @@ void vtkTracedScene::Detach(const Instance& instance)
 {
   rtcDetachGeometry(this->Handle, instance.Number);
   this->FreeNumbers.push_back(instance.Number);
+}
+
+//------------------------------------------------------------------------------
+void vtkTracedScene::FindBoxes()
+{
+  this->Boxes.clear();
+  this->Reach = 0.0;
+  for (const auto& entry : this->Entries)
+  {
+    const std::vector<vtkTracedPlacement>& placements = entry.second.Caster->GetPlacements();
+    for (std::size_t i = 0; i < placements.size(); ++i)
+    {
+      RTCBounds bounds;
+      rtcGetSceneBounds(placements[i].Body->GetScene(), &bounds);
+      const vtkTracedVector low{ { bounds.lower_x, bounds.lower_y, bounds.lower_z } };
+      const vtkTracedVector high{ { bounds.upper_x, bounds.upper_y, bounds.upper_z } };
+      const vtkTracedMap& map = this->ToLocals[entry.second.Instances[i].Number];
+      vtkTracedBox box;
+      box.Center = map(0.5 * (low + high));
+      double reach = vtkTraced::Length(box.Center);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        box.HalfAxes[axis] = 0.5 * (high[axis] - low[axis]) * map.Columns[axis];
+        reach += vtkTraced::Length(box.HalfAxes[axis]);
+      }
+      this->Boxes.push_back(box);
+      this->Reach = std::max(this->Reach, reach);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

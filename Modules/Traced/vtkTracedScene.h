@@ -16,6 +16,7 @@
 
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 #include "vtkTracedCaster.h"
+#include "vtkTracedShaft.h"
 #include "vtkTracedVector.h"
 #include "vtkType.h" // For times
 
@@ -76,6 +77,12 @@ public:
   /// The coordinates of an instance's body to local ones.
   const vtkTracedMap& GetToLocal(unsigned int instance) const { return this->ToLocals[instance]; }
 
+  /// Around every instance, in local coordinates.
+  const std::vector<vtkTracedBox>& GetBoxes() const { return this->Boxes; }
+
+  /// How far from the origin anything is at most, in local coordinates.
+  double GetReach() const { return this->Reach; }
+
   /// Why casters cast nothing, a sentence without its dot per reason; empty if all do.
   const std::vector<std::string>& GetReasons() const { return this->Reasons; }
 
@@ -103,6 +110,7 @@ private:
   void Place(const vtkTracedPlacement& placement, Instance& instance);
   void Attach(Instance& instance);
   void Detach(const Instance& instance);
+  void FindBoxes();
   void FindReasons();
 
   std::shared_ptr<vtkTracedDevice> Device;
@@ -110,6 +118,8 @@ private:
   std::map<std::uint64_t, Entry> Entries; // by the shapes' numbers
   std::vector<vtkTracedMap> ToLocals;     // by the instances' numbers
   std::vector<unsigned int> FreeNumbers;
+  std::vector<vtkTracedBox> Boxes;
+  double Reach = 0.0;
   vtkTracedVector Origin{};
   double Scale = 1.0;
   vtkMTimeType CastersTime = 0;

@@ -30,7 +30,7 @@ public:
   vtkTracedScene Scene;
   vtkTracedReceivers Receivers;
   vtkTracedWorkers Workers;
-  vtkTracedPicture Picture;
+  vtkTracedPicture Picture{ Scene, Receivers, Workers };
   bool HasFrame = false;      // scene and receivers are those of the frame at hand
   bool IsSmooth = false;      // receivers are those of the smooth surface
   std::set<std::string> Told; // reasons why props cast nothing
@@ -126,8 +126,8 @@ void vtkTracedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
   const vtkTracedLight light(
     context.Emitter, context.FaceAxis, this->Weights, this->Rays, this->MostRays, impl.Scene);
   const bool soft = context.Emitter.HasExtent();
-  impl.Rays += impl.Picture.Trace(impl.Scene, light, impl.Receivers, impl.Workers,
-    { this->Adaptive && soft, this->Filter && soft });
+  impl.Picture.Trace(light, { this->Adaptive && soft, this->Filter && soft, this->EarlyOut });
+  impl.Rays += impl.Picture.GetRays();
   this->BeginStep("upload");
   this->Draw(context, context.Emitter.Weight);
   this->BeginStep("visibility");
@@ -145,8 +145,8 @@ bool vtkTracedSoftShadowPass::AddPointVisibility(
   }
   const vtkTracedLight point(context.Emitter.PointAt(sample.U, sample.V, 1.0), context.FaceAxis,
     vtkShadowLightSampling::MEAN, 1, 1, impl.Scene);
-  impl.Rays +=
-    impl.Picture.Trace(impl.Scene, point, impl.Receivers, impl.Workers, { false, false });
+  impl.Picture.Trace(point, { false, false, this->EarlyOut });
+  impl.Rays += impl.Picture.GetRays();
   this->Count();
   return this->Draw(context, context.Emitter.Weight * sample.Weight);
 }

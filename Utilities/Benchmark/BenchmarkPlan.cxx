@@ -116,6 +116,13 @@ void AddVariants(const KnownTechnique& technique, Plan& plan)
   {
     add({ { "rays", "16" }, { "steps", "8" } });
   }
+  if (technique.Has("most_rays"))
+  {
+    add({ { "rays", "2" } });
+    add({ { "rays", "16" }, { "most_rays", "64" } });
+    add({ { "rays", "16" }, { "filter", "off" }, { "adaptive", "off" } });
+    return; // it has no maps to split
+  }
   if (technique.Has("split") && !technique.Has("samples"))
   {
     add({ { "split", "2" } });

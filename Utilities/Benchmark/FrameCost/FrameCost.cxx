@@ -32,6 +32,9 @@
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkSphereSource.h"
+#ifdef SOFTSHADOWS_HAS_TRACED
+#include "vtkTracedSoftShadowPass.h"
+#endif
 
 #include <algorithm>
 #include <chrono>
@@ -278,6 +281,37 @@ void RaceEarlyOut(const std::string& title, const Scene& scene, int frames)
   Race(title + ", camera moves", contestants, frames, MoveCamera);
 }
 
+#ifdef SOFTSHADOWS_HAS_TRACED
+//--------------------------------------------------------------------------------------------------
+// Beside frames, what rays spend on trees: all of them first, then the one over the actors.
+void RaceTraced(const std::string& title, const Scene& scene, int frames)
+{
+  std::vector<Contestant> contestants(2);
+  contestants[0].Name = "VTK plain";
+  contestants[1].Name = "traced";
+  for (Contestant& contestant : contestants)
+  {
+    SetUp(contestant, scene);
+  }
+  vtkNew<vtkTracedSoftShadowPass> pass;
+  UseSoftShadows(contestants[1], pass);
+  contestants[1].Window->Render();
+  const auto print = [&title](const char* what, double value)
+  { std::printf("| %s | traced: %s | %.2f | | |\n", title.c_str(), what, value); };
+  print("trees of all actors", pass->GetMilliseconds("scene"));
+  print("MiB of trees and textures", pass->GetCount("bytes_held") / 1048576.0);
+  Race(title + ", camera moves", contestants, frames, MoveCamera);
+  std::vector<double> updates;
+  Race(title + ", actors move", contestants, frames,
+    [&](Contestant& contestant)
+    {
+      updates.push_back(pass->GetMilliseconds("scene"));
+      MoveActors(contestant);
+    });
+  print("tree over the actors", Median(updates));
+}
+
+#endif
 } // namespace
 
 //--------------------------------------------------------------------------------------------------
@@ -309,6 +343,9 @@ int main(int argc, char** argv)
     const Scene scene = [&model](Contestant& contestant) { AddModel(contestant, model); };
     RaceStillShadows(name, scene, frames);
     RaceEarlyOut(name, scene, std::min(frames, 5));
+#ifdef SOFTSHADOWS_HAS_TRACED
+    RaceTraced(name, scene, frames);
+#endif
   }
   RaceMovingActors(frames);
   return 0;
