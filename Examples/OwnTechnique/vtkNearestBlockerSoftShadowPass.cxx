@@ -8,6 +8,7 @@
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 
 #include "vtkNearestBlockerSoftShadowFS.h"
 
@@ -20,31 +21,33 @@ vtkNearestBlockerSoftShadowPass::vtkNearestBlockerSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkNearestBlockerSoftShadowPass::~vtkNearestBlockerSoftShadowPass()
-{
-  this->ReleaseBeforeDestruction(); // while this class's part can still be reached
-}
+vtkNearestBlockerSoftShadowPass::~vtkNearestBlockerSoftShadowPass() = default;
 
 //------------------------------------------------------------------------------
-void vtkNearestBlockerSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
+void vtkNearestBlockerSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
-  if (!this->Shader.Use(context.Window)) // builds the program when first used
+  if (!this->Shader.Use(services.Window)) // builds the program when first used
   {
     return;
   }
   vtkShaderProgram* program = this->Shader.GetProgram();
-  this->SetReceiverUniforms(program, context); // binds the receivers
-  this->SetMapUniforms(
-    program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
-  vtkShadowTextureArray* texture = context.Maps->GetTexture();
+  services.SetReceiverUniforms(program); // binds the receivers
+  services.SetMapUniforms(program);
+  vtkShadowTextureArray* texture = services.Maps->GetTexture();
   program->SetUniformi("depthMaps", texture->Activate());
-  program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
-  program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
+  program->SetUniformf("mapLayer", static_cast<float>(services.Layer));
+  program->SetUniformf("weight", static_cast<float>(services.Emitter.Weight));
   program->SetUniformi("kernelGaussian", 0);
-  program->SetUniformi("filterWidth", context.Emitter.HasExtent() ? this->FilterWidth : 1);
-  this->DrawFiltered(this->Shader); // only pixels that are not proved lit or blocked
+  program->SetUniformi("filterWidth", services.Emitter.HasExtent() ? this->FilterWidth : 1);
+  services.DrawMarked(this->Shader); // only pixels that are not proved lit or blocked
   texture->Deactivate();
-  context.Receivers->Deactivate();
+  services.Receivers->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkNearestBlockerSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
+{
+  statistics.ShaderBuilds += this->Shader.GetNumberOfBuilds();
 }
 
 //------------------------------------------------------------------------------

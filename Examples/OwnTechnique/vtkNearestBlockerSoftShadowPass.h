@@ -36,8 +36,8 @@ protected:
   vtkNearestBlockerSoftShadowPass();
   ~vtkNearestBlockerSoftShadowPass() override;
 
-  void AddVisibility(const vtkSoftShadowContext& context) override;
-  int GetTechniqueShaderBuilds() override { return this->Shader.GetNumberOfBuilds(); }
+  void Add(const vtkSoftShadowServices& services) override;
+  void AddStatistics(vtkSoftShadowStatistics& statistics) override;
 
   int FilterWidth = 21;
 

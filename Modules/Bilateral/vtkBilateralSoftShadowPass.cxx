@@ -13,6 +13,7 @@
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowScreenFilter.h"
+#include "vtkSoftShadowServices.h"
 
 #include "vtkBilateralMeanFS.h"
 
@@ -51,8 +52,8 @@ public:
   vtkShadowShader MeanShader{ vtkBilateralMeanFS };
   vtkSoftShadowScreenFilter Filter;
 
-  void DrawBatch(vtkBilateralSoftShadowPass* self, const vtkSoftShadowContext& context,
-    size_t first, size_t last, size_t layer, bool isFirst);
+  void DrawBatch(
+    const vtkSoftShadowServices& services, size_t first, size_t last, size_t layer, bool isFirst);
 };
 
 //------------------------------------------------------------------------------
@@ -62,57 +63,59 @@ vtkBilateralSoftShadowPass::vtkBilateralSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkBilateralSoftShadowPass::~vtkBilateralSoftShadowPass()
+vtkBilateralSoftShadowPass::~vtkBilateralSoftShadowPass() = default;
+
+//------------------------------------------------------------------------------
+vtkSoftShadowRequirements vtkBilateralSoftShadowPass::GetRequirements() const
 {
-  this->ReleaseBeforeDestruction();
+  vtkSoftShadowRequirements requirements;
+  requirements.EmitterMap = false;
+  // A proof would take one more map, of the whole light, beside those of few points.
+  requirements.Proof = vtkSoftShadowRequirements::PROVES_NOTHING;
+  requirements.GaussianWeights = this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  return requirements;
 }
 
 //------------------------------------------------------------------------------
-bool vtkBilateralSoftShadowPass::HasGaussianWeights() const
-{
-  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
-}
-
-//------------------------------------------------------------------------------
-void vtkBilateralSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
+void vtkBilateralSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
   Internals::EmitterSamples& emitter =
-    this->Impl->Emitters[std::make_pair(context.Light, context.Part)];
+    this->Impl->Emitters[std::make_pair(services.Light, services.Part)];
   this->Impl->Current = &emitter;
-  if (emitter.Emitter != context.Emitter || emitter.SettingsTime != this->GetMTime() ||
-    emitter.CastersTime != context.Casters->GetCastersTime())
+  if (emitter.Emitter != services.Emitter || emitter.SettingsTime != this->GetMTime() ||
+    emitter.CastersTime != services.Casters->GetCastersTime())
   {
-    emitter.Emitter = context.Emitter;
+    emitter.Emitter = services.Emitter;
     emitter.SettingsTime = this->GetMTime();
-    emitter.CastersTime = context.Casters->GetCastersTime();
+    emitter.CastersTime = services.Casters->GetCastersTime();
     const vtkBilateralLattice lattice(
-      context.Emitter, this->NumberOfSamples, this->Weights, this->Filter == ADAPTIVE);
-    emitter.Samples = vtkSoftShadowPass::FitSamples(context, lattice.GetSamples());
+      services.Emitter, this->NumberOfSamples, this->Weights, this->Filter == ADAPTIVE);
+    emitter.Samples = services.FitSamples(lattice.GetSamples());
     emitter.Cell = lattice.GetCell();
   }
-  const bool isDrawn = this->Impl->Filter.BeginSums(context) && this->DrawMean(context);
+  const bool isDrawn = this->Impl->Filter.BeginSums(services) && this->DrawMean(services);
   this->Impl->Filter.EndSums();
   // Of a light's many parts only the first ones keep their maps.
   vtkTypeInt64 bytes = 0;
   for (auto& other : this->Impl->Emitters)
   {
-    bytes += other.first.first == context.Light ? other.second.Maps->GetTexture()->GetBytes() : 0;
+    bytes += other.first.first == services.Light ? other.second.Maps->GetTexture()->GetBytes() : 0;
   }
-  if (this->ExceedsMapMemory(bytes))
+  if (services.ExceedsMapMemory(bytes))
   {
-    emitter.Maps->ReleaseGraphicsResources(context.Window);
+    emitter.Maps->ReleaseGraphicsResources(services.Window);
   }
   if (!isDrawn)
   {
     return;
   }
-  this->BeginStep("bilateral filter");
-  this->DrawFilter(context);
-  this->BeginStep("visibility");
+  services.BeginStep("bilateral filter");
+  this->DrawFilter(services);
+  services.BeginStep("visibility");
 }
 
 //------------------------------------------------------------------------------
-void vtkBilateralSoftShadowPass::DrawFilter(const vtkSoftShadowContext& context)
+void vtkBilateralSoftShadowPass::DrawFilter(const vtkSoftShadowServices& services)
 {
   using Screen = vtkSoftShadowScreenFilter;
   Screen::Settings settings;
@@ -142,21 +145,21 @@ void vtkBilateralSoftShadowPass::DrawFilter(const vtkSoftShadowContext& context)
   settings.Cells.resize(1);
   settings.Cells[0].Edges = this->Impl->Current->Cell;
   settings.MaximumWidth = this->MaximumWidth;
-  settings.WeightedByPoints = this->HasGaussianWeights();
+  settings.WeightedByPoints = this->Weights == vtkShadowLightSampling::GAUSSIAN;
   settings.HalfTaps = this->FilterWidth / 2;
   settings.DomainDeviation = this->DomainDeviation;
   settings.Iterations = this->Filter == ATROUS ? this->Iterations : 1;
-  this->Impl->Filter.Draw(context, settings);
+  this->Impl->Filter.Draw(services, settings);
 }
 
 //------------------------------------------------------------------------------
-bool vtkBilateralSoftShadowPass::DrawMean(const vtkSoftShadowContext& context)
+bool vtkBilateralSoftShadowPass::DrawMean(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
   Internals::EmitterSamples& emitter = *impl.Current;
   const size_t layers =
-    static_cast<size_t>(vtkShadowTextureArray::GetMaximumLayers(context.Window));
-  const size_t batch = std::min(this->GetMapsPerBatch(), layers);
+    static_cast<size_t>(vtkShadowTextureArray::GetMaximumLayers(services.Window));
+  const size_t batch = std::min(services.GetMapsPerBatch(services.MapSize), layers);
   const size_t count = emitter.Samples.Views.size();
   bool isFirst = true;
   for (size_t first = 0; first == 0 || first < count; first += batch)
@@ -164,20 +167,21 @@ bool vtkBilateralSoftShadowPass::DrawMean(const vtkSoftShadowContext& context)
     const size_t last = std::min(first + batch, count);
     if (last > first)
     {
-      this->BeginStep("sample maps");
+      services.BeginStep("sample maps");
       const std::vector<vtkShadowMapView> views(
         emitter.Samples.Views.begin() + first, emitter.Samples.Views.begin() + last);
-      const int baked = emitter.Maps->Bake(context.Renderer, context.Casters, views, this->MapSize);
+      const int baked =
+        emitter.Maps->Bake(services.Renderer, services.Casters, views, services.MapSize);
       if (baked < 0)
       {
         return false;
       }
-      this->CountBakes(baked);
+      services.CountBakes(baked, services.MapSize);
     }
-    this->BeginStep("mean");
+    services.BeginStep("mean");
     for (size_t i = first; i == first || i < last; i += MapsPerDraw)
     {
-      impl.DrawBatch(this, context, i, std::min(i + MapsPerDraw, last), i - first, isFirst);
+      impl.DrawBatch(services, i, std::min(i + MapsPerDraw, last), i - first, isFirst);
       isFirst = false;
     }
   }
@@ -185,60 +189,46 @@ bool vtkBilateralSoftShadowPass::DrawMean(const vtkSoftShadowContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkBilateralSoftShadowPass::Internals::DrawBatch(vtkBilateralSoftShadowPass* self,
-  const vtkSoftShadowContext& context, size_t first, size_t last, size_t layer, bool isFirst)
+void vtkBilateralSoftShadowPass::Internals::DrawBatch(
+  const vtkSoftShadowServices& services, size_t first, size_t last, size_t layer, bool isFirst)
 {
-  if (!this->MeanShader.Use(context.Window))
+  if (!this->MeanShader.Use(services.Window))
   {
     return;
   }
   const vtkSoftShadowSamples& samples = this->Current->Samples;
   vtkShaderProgram* program = this->MeanShader.GetProgram();
-  self->SetReceiverUniforms(program, context);
+  services.SetReceiverUniforms(program);
   std::vector<float> weights;
   for (size_t i = first; i < last; ++i)
   {
-    weights.push_back(samples.Weights[i] / static_cast<float>(context.Emitter.Weight));
+    weights.push_back(samples.Weights[i] / static_cast<float>(services.Emitter.Weight));
   }
-  vtkSoftShadowPass::SetSampleUniforms(program, context, samples.Views.data() + first,
-    weights.data(), last - first, layer, self->MapSize, 1);
+  services.SetSampleUniforms(program, samples.Views.data() + first, weights.data(), last - first,
+    layer, services.MapSize, 1);
   // The texture starts at -1, no value.
   program->SetUniformf("madeUp", isFirst ? 1.0f : 0.0f);
   program->SetUniformf(
-    "litWeight", isFirst ? samples.LitWeight / static_cast<float>(context.Emitter.Weight) : 0.0f);
+    "litWeight", isFirst ? samples.LitWeight / static_cast<float>(services.Emitter.Weight) : 0.0f);
   vtkShadowTextureArray* texture = this->Current->Maps->GetTexture();
-  program->SetUniformi("depthMaps", texture->Activate(context.Window));
-  self->DrawFiltered(this->MeanShader);
+  program->SetUniformi("depthMaps", texture->Activate(services.Window));
+  services.DrawMarked(this->MeanShader);
   texture->Deactivate();
-  context.Receivers->Deactivate();
+  services.Receivers->Deactivate();
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkBilateralSoftShadowPass::GetTechniqueBytes()
+void vtkBilateralSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
 {
-  vtkTypeInt64 bytes = this->Impl->Filter.GetBytes();
-  for (auto& emitter : this->Impl->Emitters)
+  Internals& impl = *this->Impl;
+  statistics.BytesHeld += impl.Filter.GetBytes();
+  statistics.ShaderBuilds +=
+    impl.MeanShader.GetNumberOfBuilds() + impl.Filter.GetNumberOfShaderBuilds();
+  for (auto& emitter : impl.Emitters)
   {
-    bytes += emitter.second.Maps->GetTexture()->GetBytes();
+    statistics.BytesHeld += emitter.second.Maps->GetTexture()->GetBytes();
+    statistics.DrawCalls += emitter.second.Maps->GetNumberOfDrawCalls();
   }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkBilateralSoftShadowPass::GetTechniqueDrawCalls()
-{
-  vtkTypeInt64 calls = 0;
-  for (auto& emitter : this->Impl->Emitters)
-  {
-    calls += emitter.second.Maps->GetNumberOfDrawCalls();
-  }
-  return calls;
-}
-
-//------------------------------------------------------------------------------
-int vtkBilateralSoftShadowPass::GetTechniqueShaderBuilds()
-{
-  return this->Impl->MeanShader.GetNumberOfBuilds() + this->Impl->Filter.GetNumberOfShaderBuilds();
 }
 
 //------------------------------------------------------------------------------
@@ -262,7 +252,9 @@ void vtkBilateralSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const char* const filters[] = { "none", "paper", "full", "atrous", "adaptive" };
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
+  os << indent
+     << "Weights: " << (this->Weights == vtkShadowLightSampling::GAUSSIAN ? "gaussian" : "mean")
+     << "\n";
   os << indent << "Filter: " << filters[this->Filter] << "\n";
   os << indent << "FilterWidth: " << this->FilterWidth << "\n";
   os << indent << "DomainDeviation: " << this->DomainDeviation << "\n";

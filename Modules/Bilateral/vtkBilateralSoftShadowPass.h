@@ -157,14 +157,9 @@ protected:
   vtkBilateralSoftShadowPass();
   ~vtkBilateralSoftShadowPass() override;
 
-  void AddVisibility(const vtkSoftShadowContext& context) override;
-  bool NeedsEmitterMap() const override { return false; }
-  /// A proof would take one more map, of the whole light, beside those of few points.
-  int GetProof() const override { return PROVES_NOTHING; }
-  bool HasGaussianWeights() const override;
-  vtkTypeInt64 GetTechniqueBytes() override;
-  vtkTypeInt64 GetTechniqueDrawCalls() override;
-  int GetTechniqueShaderBuilds() override;
+  vtkSoftShadowRequirements GetRequirements() const override;
+  void Add(const vtkSoftShadowServices& services) override;
+  void AddStatistics(vtkSoftShadowStatistics& statistics) override;
 
   int NumberOfSamples = 5;
   int Weights = vtkShadowLightSampling::MEAN;
@@ -183,8 +178,8 @@ private:
   class Internals;
   std::unique_ptr<Internals> Impl;
 
-  bool DrawMean(const vtkSoftShadowContext& context);
-  void DrawFilter(const vtkSoftShadowContext& context);
+  bool DrawMean(const vtkSoftShadowServices& services);
+  void DrawFilter(const vtkSoftShadowServices& services);
 };
 
 VTK_ABI_NAMESPACE_END

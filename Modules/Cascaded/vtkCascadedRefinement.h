@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkCascadedSoftShadowPass::Refinement
+ * @class   vtkCascadedRefinement
  * @brief   Adaptive sampling of the light: finer grids of points while a pixel still changes.
  *
  * Per level, for the pixels of a cascade that have not settled: add the visibility from the level's
@@ -15,58 +15,32 @@
 #ifndef vtkCascadedRefinement_h
 #define vtkCascadedRefinement_h
 
-#include "vtkCascadedSoftShadowMaps.h"
-#include "vtkCascadedSoftShadowPass.h"
-#include "vtkNew.h" // For members
-#include "vtkShadowBorderGrid.h"
-#include "vtkShadowCascades.h"
-#include "vtkShadowFramebuffer.h"
-#include "vtkShadowQueryReader.h"
-#include "vtkShadowShader.h"
-#include "vtkShadowTextureArray.h"
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkCascadedSoftShadowMaps.h" // For maps
+#include "vtkNew.h"                    // For members
+#include "vtkShadowCascades.h"         // For cascades
+#include "vtkShadowFramebuffer.h"      // For members
+#include "vtkShadowShader.h"           // For members
+#include "vtkShadowTextureArray.h"     // For members
+#include "vtkSoftShadowsABI.h"         // For the ABI namespace
 
-#include <array> // For counts
+#include <vector> // For sets
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkShadowQueries;
+class vtkShadowReceivers;
+class vtkSoftShadowServices;
+struct vtkCascadedPlan;
+struct vtkCascadedSettings;
 
-class vtkCascadedSoftShadowPass::Refinement
+class vtkCascadedRefinement
 {
 public:
-  Refinement();
-
-  /// How finely one cascade of one emitter is sampled, and what the queries said about it.
-  struct Plan
-  {
-    static constexpr int MaximumCounts = vtkShadowBorderGrid::LargestLevel + 2;
-
-    /// The last level that pixels need; negative: nothing is known.
-    int LastLevel = -1;
-    /// The last level that may be drawn.
-    int LargestLevel = 0;
-    /// The light has no extent: its one level has one point.
-    bool IsHard = false;
-    /// Pixels that needed each of the Counted levels, and that would have needed the one after them.
-    std::array<vtkTypeInt64, MaximumCounts> Counts = { {} };
-    int Counted = 0;
-    std::array<unsigned int, MaximumCounts> Queries = { {} };
-    int Pending = 0; // queries in flight
-    /// Pixels need more levels than the last draw had. Until the next one.
-    bool WantsMore = false;
-
-    /// The last level to draw.
-    int GetLastLevel() const;
-    /// Reads the queries if all of them are there.
-    void Collect(vtkShadowQueryReader& reader, vtkTypeInt64 fewPixels);
-    /// The points that all pixels together looked at.
-    vtkTypeInt64 GetNumberOfPixelSamples() const;
-    void ReleaseGraphicsResources();
-  };
+  vtkCascadedRefinement();
 
   /// Draws sets[0] to sets[count - 1] of a cascade, the levels of its grid.
-  void Draw(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
+  void Draw(const vtkSoftShadowServices& services, const vtkCascadedSettings& settings,
     vtkCascadedSoftShadowMaps& maps, const std::vector<size_t>& sets,
-    const vtkShadowCascades::Cascade& cascade, Plan& plan);
+    const vtkShadowCascades::Cascade& cascade, vtkCascadedPlan& plan);
 
   /// Of the shader that looks at the maps.
   void SetDefinitions(const vtkShadowShader::Definitions& definitions)
@@ -74,19 +48,21 @@ public:
     this->RefineShader.SetDefinitions(definitions);
   }
 
+  /// Pixels that are too few for another level's maps.
+  static vtkTypeInt64 GetFewPixels(vtkShadowReceivers* receivers);
+
   vtkTypeInt64 GetBytes() const;
   int GetNumberOfBuilds() const;
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool Prepare(const vtkSoftShadowContext& context);
-  bool Attach(const vtkSoftShadowContext& context, vtkShadowTextureArray* texture);
-  bool AddLevel(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context,
-    vtkCascadedSoftShadowMaps& maps, size_t set, int level,
-    const vtkShadowCascades::Cascade& cascade, unsigned int query);
-  bool Settle(const vtkSoftShadowContext& context, int level, double keep, double tolerance);
-  bool CountLeft(vtkCascadedSoftShadowPass* self, const vtkSoftShadowContext& context, int levels,
-    const vtkShadowCascades::Cascade& cascade, unsigned int query);
+  bool Prepare(const vtkSoftShadowServices& services);
+  bool Attach(const vtkSoftShadowServices& services, vtkShadowTextureArray* texture);
+  bool AddLevel(const vtkSoftShadowServices& services, vtkCascadedSoftShadowMaps& maps, size_t set,
+    int level, const vtkShadowCascades::Cascade& cascade, vtkShadowQueries* queries);
+  bool Settle(const vtkSoftShadowServices& services, int level, double keep, double tolerance);
+  bool CountLeft(const vtkSoftShadowServices& services, int levels,
+    const vtkShadowCascades::Cascade& cascade, vtkShadowQueries& queries);
 
   vtkNew<vtkShadowTextureArray> Added;
   vtkNew<vtkShadowTextureArray> States[2]; // by turns: a level reads the one before

@@ -6,6 +6,7 @@
 #include "vtkShadowCasters.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 
 #include <algorithm>
 
@@ -44,40 +45,40 @@ int vtkCascadedSoftShadowMaps::GetMapSize(int resolution) const
 
 //------------------------------------------------------------------------------
 size_t vtkCascadedSoftShadowMaps::GetBatch(
-  const vtkSoftShadowContext& context, int resolution, size_t memory) const
+  const vtkSoftShadowServices& services, int resolution) const
 {
-  size_t wanted = 0;
+  vtkTypeInt64 wanted = 0;
   for (int i = 0; i < NumberOfResolutions; ++i)
   {
-    const size_t size = static_cast<size_t>(this->GetMapSize(i));
-    wanted += this->Arrays[i].Views.size() * size * size * sizeof(float);
+    const auto size = static_cast<vtkTypeInt64>(this->GetMapSize(i));
+    wanted += static_cast<vtkTypeInt64>(this->Arrays[i].Views.size() * sizeof(float)) * size * size;
   }
-  const size_t size = static_cast<size_t>(this->GetMapSize(resolution));
-  const size_t share = wanted <= memory ? memory : memory / NumberOfResolutions;
-  const auto layers = static_cast<size_t>(vtkShadowTextureArray::GetMaximumLayers(context.Window));
-  return std::min(std::max<size_t>(share / (size * size * sizeof(float)), 1), layers);
+  const int shares = services.ExceedsMapMemory(wanted) ? NumberOfResolutions : 1;
+  return services.GetMapsPerBatch(this->GetMapSize(resolution), shares);
 }
 
 //------------------------------------------------------------------------------
-vtkCascadedSoftShadowMaps::Run vtkCascadedSoftShadowMaps::Bake(const vtkSoftShadowContext& context,
-  size_t set, size_t first, size_t memory, std::array<int, NumberOfResolutions>& baked)
+vtkCascadedSoftShadowMaps::Run vtkCascadedSoftShadowMaps::Bake(
+  const vtkSoftShadowServices& services, size_t set, size_t first)
 {
   const Set& wanted = this->Sets[set];
   Array& array = this->Arrays[wanted.Resolution];
-  const size_t count = this->GetBatch(context, wanted.Resolution, memory);
+  const int mapSize = this->GetMapSize(wanted.Resolution);
+  const size_t count = this->GetBatch(services, wanted.Resolution);
   const size_t index = wanted.First + first;
   const size_t begin = index / count * count;
   const size_t end = std::min(begin + count, array.Views.size());
   const std::vector<vtkShadowMapView> batch(array.Views.begin() + begin, array.Views.begin() + end);
-  const int drawn =
-    array.Maps->Bake(context.Renderer, context.Casters, batch, this->GetMapSize(wanted.Resolution));
+  services.BeginStep("cascade maps");
+  const int drawn = array.Maps->Bake(services.Renderer, services.Casters, batch, mapSize);
+  services.BeginStep("visibility");
   Run run;
   run.First = run.Last = first;
   if (drawn < 0)
   {
     return run;
   }
-  baked[wanted.Resolution] += drawn;
+  services.CountBakes(drawn, mapSize);
   run.Layer = index - begin;
   run.Last = std::min({ wanted.Samples.Views.size(), end - wanted.First,
     first + static_cast<size_t>(VTK_SOFT_SHADOW_SAMPLES_PER_DRAW) });

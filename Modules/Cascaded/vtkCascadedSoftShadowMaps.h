@@ -15,13 +15,15 @@
 
 #include "vtkNew.h" // For members
 #include "vtkShadowDepthMaps.h"
-#include "vtkSoftShadowPass.h" // For samples
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
+#include "vtkSoftShadowSamples.h" // For samples
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
 
 #include <array>  // For resolutions
 #include <vector> // For sets
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkSoftShadowServices;
+class vtkWindow;
 
 class vtkCascadedSoftShadowMaps
 {
@@ -53,12 +55,10 @@ public:
   int GetMapSize(int resolution) const;
 
   /**
-   * Bakes what it takes to draw a set from its sample first on, and tells how many can be drawn at
-   * once. memory is in bytes. Last is first if nothing can be baked. The number of maps drawn is
-   * added to baked.
+   * Bakes what it takes to draw a set from its sample first on, times and counts it, and tells how many
+   * can be drawn at once. Last is first if nothing can be baked.
    */
-  Run Bake(const vtkSoftShadowContext& context, size_t set, size_t first, size_t memory,
-    std::array<int, NumberOfResolutions>& baked);
+  Run Bake(const vtkSoftShadowServices& services, size_t set, size_t first);
 
   vtkShadowDepthMaps* GetMaps(int resolution) { return this->Arrays[resolution].Maps; }
 
@@ -73,7 +73,7 @@ private:
     std::vector<vtkShadowMapView> Views;
   };
 
-  size_t GetBatch(const vtkSoftShadowContext& context, int resolution, size_t memory) const;
+  size_t GetBatch(const vtkSoftShadowServices& services, int resolution) const;
 
   int MapSize = 1024;
   std::array<Array, NumberOfResolutions> Arrays;

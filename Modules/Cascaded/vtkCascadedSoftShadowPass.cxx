@@ -2,17 +2,73 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCascadedSoftShadowPass.h"
 
-#include "vtkCascadedSoftShadowPassInternals.h"
+#include "vtkCascadedDrawing.h"
+#include "vtkCascadedEmitter.h"
+#include "vtkCascadedRefinement.h"
+#include "vtkCascadedSettings.h"
+#include "vtkCascadedTint.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkShadowCasters.h"
+#include "vtkShadowQueryReader.h"
+#include "vtkSoftShadowServices.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkCascadedSoftShadowPass);
+
+//------------------------------------------------------------------------------
+class vtkCascadedSoftShadowPass::Internals
+{
+public:
+  std::map<std::pair<int, int>, vtkCascadedEmitter> Emitters; // by light and part
+  vtkTypeInt64 Estimate = -1;                                 // the last one
+  std::shared_ptr<vtkShadowQueryReader> Reader = std::make_shared<vtkShadowQueryReader>();
+  vtkCascadedDrawing Drawing;
+  vtkCascadedRefinement Refinement;
+  vtkCascadedTint Tint;
+  vtkShadowReceivers* Receivers = nullptr; // of the last estimate
+
+  /// The cascades of every emitter of the last estimate, of one light or (-1) of all.
+  std::vector<std::vector<vtkShadowCascades::Cascade>> GetCascades(int light) const
+  {
+    std::vector<std::vector<vtkShadowCascades::Cascade>> cascades;
+    for (const auto& emitter : this->Emitters)
+    {
+      if (emitter.second.GetEstimate() == this->Estimate &&
+        (light < 0 || emitter.first.first == light))
+      {
+        cascades.push_back(emitter.second.GetCascades());
+      }
+    }
+    return cascades;
+  }
+
+  /// The adaptive plans of the last estimate, with what has come back of their counts.
+  std::vector<vtkCascadedPlan*> CollectCounts()
+  {
+    std::vector<vtkCascadedPlan*> plans;
+    for (auto& entry : this->Emitters)
+    {
+      // What was drawn before, a light that is off or a cascade more, is out of date.
+      vtkCascadedEmitter& emitter = entry.second;
+      const size_t count =
+        emitter.GetEstimate() == this->Estimate ? emitter.GetCascades().size() : 0;
+      for (size_t i = 0; i < count; ++i)
+      {
+        emitter.GetPlan(i).Collect(
+          *this->Reader, vtkCascadedRefinement::GetFewPixels(this->Receivers));
+        plans.push_back(&emitter.GetPlan(i));
+      }
+    }
+    return plans;
+  }
+};
 
 //------------------------------------------------------------------------------
 vtkCascadedSoftShadowPass::vtkCascadedSoftShadowPass()
@@ -22,57 +78,81 @@ vtkCascadedSoftShadowPass::vtkCascadedSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkCascadedSoftShadowPass::~vtkCascadedSoftShadowPass()
+vtkCascadedSoftShadowPass::~vtkCascadedSoftShadowPass() = default;
+
+//------------------------------------------------------------------------------
+vtkSoftShadowRequirements vtkCascadedSoftShadowPass::GetRequirements() const
 {
-  this->ReleaseBeforeDestruction();
+  vtkSoftShadowRequirements requirements;
+  requirements.EmitterMap = false;
+  // A map of the whole light is coarser than the cascades': what it proves is not their truth.
+  requirements.Proof = vtkSoftShadowRequirements::PROVES_LIT;
+  // It serves the proofs alone, and half the edge proves as much.
+  requirements.EmitterMapSize = this->MapSize > 64 ? this->MapSize / 2 : 32;
+  requirements.ConservativeMap = true;
+  requirements.GaussianWeights = this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  return requirements;
 }
 
 //------------------------------------------------------------------------------
-void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
+vtkCascadedSettings vtkCascadedSoftShadowPass::GetSettings()
+{
+  vtkCascadedSettings settings;
+  settings.Time = this->GetMTime();
+  settings.NumberOfCascades = this->NumberOfCascades;
+  settings.SplitLambda = this->SplitLambda;
+  settings.BlendBand = this->BlendBand;
+  settings.SampleEdges = this->SampleEdges;
+  settings.Resolutions = this->Resolutions;
+  settings.FilterSizes = this->FilterSizes;
+  settings.FiltersMaps = this->Filter == FIXED;
+  settings.Pattern = this->Pattern;
+  settings.Weights = this->Weights;
+  settings.Adaptive = this->Adaptive;
+  settings.Tolerance = this->Tolerance;
+  settings.MaximumLevel = this->MaximumLevel;
+  settings.FitToView = this->FitToView;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  impl.Receivers = context.Receivers;
+  impl.Receivers = services.Receivers;
+  impl.Estimate = services.Estimate;
   vtkShadowShader::Definitions definitions;
   if (!this->Gather)
   {
     definitions.emplace_back("SOFT_SHADOW_NO_GATHER", "1");
   }
-  impl.Shader.SetDefinitions(definitions);
-  impl.SumsShader.SetDefinitions(definitions);
-  impl.Refiner.SetDefinitions(definitions);
-  Internals::EmitterMaps& emitter = impl.Emitters[std::make_pair(context.Light, context.Part)];
-  if (emitter.Emitter != context.Emitter || emitter.SettingsTime != this->GetMTime() ||
-    emitter.BodiesTime != context.Casters->GetBodiesTime())
-  {
-    emitter.Emitter = context.Emitter;
-    emitter.SettingsTime = this->GetMTime();
-    emitter.BodiesTime = context.Casters->GetBodiesTime();
-    emitter.Fits.clear();
-  }
-  emitter.Maps.Begin(this->MapSize);
-  impl.FindCascades(this, context, emitter);
-  emitter.Cascades = impl.Cascades;
-  emitter.Frame = impl.Frame = this->ChangeStatistics().VisibilityFrames;
+  impl.Drawing.SetDefinitions(definitions);
+  impl.Refinement.SetDefinitions(definitions);
+  const vtkCascadedSettings settings = this->GetSettings();
+  vtkCascadedEmitter& emitter = impl.Emitters[std::make_pair(services.Light, services.Part)];
+  emitter.Begin(services, settings);
+  const size_t cascades = emitter.GetCascades().size();
   std::vector<std::vector<size_t>> sets; // per cascade
-  for (size_t i = 0; i < impl.Cascades.size(); ++i)
+  for (size_t i = 0; i < cascades; ++i)
   {
-    sets.push_back(this->AddSets(context, i));
+    sets.push_back(emitter.AddSets(services, settings, i, *impl.Reader));
   }
   if (!this->Adaptive && this->Filter == SCREEN)
   {
-    impl.DrawScreen(this, context, emitter.Maps);
+    impl.Drawing.DrawScreen(services, settings, emitter);
   }
   else
   {
-    for (size_t i = 0; i < impl.Cascades.size(); ++i)
+    for (size_t i = 0; i < cascades; ++i)
     {
       if (this->Adaptive)
       {
-        impl.Refiner.Draw(this, context, emitter.Maps, sets[i], impl.Cascades[i], emitter.Plans[i]);
+        impl.Refinement.Draw(services, settings, emitter.GetMaps(), sets[i],
+          emitter.GetCascades()[i], emitter.GetPlan(i));
       }
       else
       {
-        impl.DrawCascade(this, context, emitter.Maps, i);
+        impl.Drawing.DrawCascade(services, emitter, i);
       }
     }
   }
@@ -80,11 +160,11 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
   vtkTypeInt64 bytes = 0;
   for (auto& other : impl.Emitters)
   {
-    bytes += other.first.first == context.Light ? other.second.Maps.GetBytes() : 0;
+    bytes += other.first.first == services.Light ? other.second.GetMaps().GetBytes() : 0;
   }
-  if (this->ExceedsMapMemory(bytes))
+  if (services.ExceedsMapMemory(bytes))
   {
-    emitter.Maps.ReleaseGraphicsResources(context.Window);
+    emitter.GetMaps().ReleaseGraphicsResources(services.Window);
   }
 }
 
@@ -92,11 +172,6 @@ void vtkCascadedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& contex
 void vtkCascadedSoftShadowPass::Render(const vtkRenderState* s)
 {
   this->Superclass::Render(s);
-  if (this->Adaptive)
-  {
-    this->ChangeStatistics().TechniqueCounts = { { "pixel_samples",
-      this->GetNumberOfPixelSamples() } };
-  }
   if (this->Tint && this->Impl->Receivers && !s->GetRenderer()->GetSelector())
   {
     auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
@@ -105,18 +180,32 @@ void vtkCascadedSoftShadowPass::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::vector<vtkShadowCascades::Cascade>>
-vtkCascadedSoftShadowPass::Internals::GetCascades(int light) const
+bool vtkCascadedSoftShadowPass::WantsVisibilityAnew()
 {
-  std::vector<std::vector<vtkShadowCascades::Cascade>> cascades;
-  for (const auto& emitter : this->Emitters)
+  if (!this->Adaptive)
   {
-    if (emitter.second.Frame == this->Frame && (light < 0 || emitter.first.first == light))
-    {
-      cascades.push_back(emitter.second.Cascades);
-    }
+    return false;
   }
-  return cascades;
+  const std::vector<vtkCascadedPlan*> plans = this->Impl->CollectCounts();
+  return std::any_of(
+    plans.begin(), plans.end(), [](const vtkCascadedPlan* plan) { return plan->WantsMore; });
+}
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::SetQueryReader(std::shared_ptr<vtkShadowQueryReader> reader)
+{
+  this->Impl->Reader = reader ? std::move(reader) : std::make_shared<vtkShadowQueryReader>();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCascadedSoftShadowPass::GetNumberOfPixelSamples()
+{
+  vtkTypeInt64 samples = 0;
+  for (const vtkCascadedPlan* plan : this->Impl->CollectCounts())
+  {
+    samples += plan->GetNumberOfPixelSamples();
+  }
+  return samples;
 }
 
 //------------------------------------------------------------------------------
@@ -131,53 +220,126 @@ int vtkCascadedSoftShadowPass::GetNumberOfOccupiedCascades() const
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkCascadedSoftShadowPass::GetTechniqueBytes()
+void vtkCascadedSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
 {
-  vtkTypeInt64 bytes = 0;
-  for (auto& emitter : this->Impl->Emitters)
+  Internals& impl = *this->Impl;
+  for (auto& emitter : impl.Emitters)
   {
-    bytes += emitter.second.Maps.GetBytes();
+    statistics.BytesHeld += emitter.second.GetMaps().GetBytes();
+    statistics.DrawCalls += emitter.second.GetMaps().GetNumberOfDrawCalls();
   }
-  return bytes + this->Impl->Refiner.GetBytes() + this->Impl->ScreenFilter.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkCascadedSoftShadowPass::GetTechniqueDrawCalls()
-{
-  vtkTypeInt64 calls = 0;
-  for (auto& emitter : this->Impl->Emitters)
+  statistics.BytesHeld += impl.Refinement.GetBytes() + impl.Drawing.GetBytes();
+  statistics.ShaderBuilds += impl.Drawing.GetNumberOfBuilds() +
+    impl.Refinement.GetNumberOfBuilds() + impl.Tint.GetNumberOfBuilds();
+  if (this->Adaptive)
   {
-    calls += emitter.second.Maps.GetNumberOfDrawCalls();
+    statistics.TechniqueCounts = { { "pixel_samples", this->GetNumberOfPixelSamples() } };
   }
-  return calls;
-}
-
-//------------------------------------------------------------------------------
-int vtkCascadedSoftShadowPass::GetTechniqueShaderBuilds()
-{
-  return this->Impl->Shader.GetNumberOfBuilds() + this->Impl->SumsShader.GetNumberOfBuilds() +
-    this->Impl->ScreenFilter.GetNumberOfShaderBuilds() + this->Impl->Tint.GetNumberOfBuilds() +
-    this->Impl->Refiner.GetNumberOfBuilds();
 }
 
 //------------------------------------------------------------------------------
 void vtkCascadedSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  this->Impl->Shader.ReleaseGraphicsResources(window);
-  this->Impl->SumsShader.ReleaseGraphicsResources(window);
-  this->Impl->ScreenFilter.ReleaseGraphicsResources(window);
-  this->Impl->Tint.ReleaseGraphicsResources(window);
-  for (auto& emitter : this->Impl->Emitters)
+  Internals& impl = *this->Impl;
+  impl.Drawing.ReleaseGraphicsResources(window);
+  impl.Refinement.ReleaseGraphicsResources(window);
+  impl.Tint.ReleaseGraphicsResources(window);
+  for (auto& emitter : impl.Emitters)
   {
-    emitter.second.Maps.ReleaseGraphicsResources(window);
-    for (Refinement::Plan& plan : emitter.second.Plans)
-    {
-      plan.ReleaseGraphicsResources();
-    }
+    emitter.second.ReleaseGraphicsResources(window);
   }
-  this->Impl->Refiner.ReleaseGraphicsResources(window);
-  this->Impl->Emitters.clear();
-  this->Impl->Receivers = nullptr;
+  impl.Emitters.clear();
+  impl.Receivers = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::Change(
+  std::array<int, MaximumNumberOfCascades>& values, int cascade, int value)
+{
+  if (cascade < 0 || cascade >= MaximumNumberOfCascades)
+  {
+    vtkErrorMacro("There is no cascade " << cascade << "; cascades are numbered 0 to "
+                                         << MaximumNumberOfCascades - 1 << ".");
+    return;
+  }
+  if (values[cascade] != value)
+  {
+    values[cascade] = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkCascadedSoftShadowPass::Read(
+  const std::array<int, MaximumNumberOfCascades>& values, int cascade) const
+{
+  return values[std::min(std::max(cascade, 0), MaximumNumberOfCascades - 1)];
+}
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::SetSampleEdge(int cascade, int edge)
+{
+  this->Change(this->SampleEdges, cascade, std::min(std::max(edge, 1), 32));
+}
+
+//------------------------------------------------------------------------------
+int vtkCascadedSoftShadowPass::GetSampleEdge(int cascade) const
+{
+  return this->Read(this->SampleEdges, cascade);
+}
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::SetResolution(int cascade, int resolution)
+{
+  this->Change(this->Resolutions, cascade, std::min<int>(std::max<int>(resolution, HIGH), LOW));
+}
+
+//------------------------------------------------------------------------------
+int vtkCascadedSoftShadowPass::GetResolution(int cascade) const
+{
+  return this->Read(this->Resolutions, cascade);
+}
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::SetFilterSize(int cascade, int size)
+{
+  this->Change(this->FilterSizes, cascade, std::min(std::max(size, 1), 15));
+}
+
+//------------------------------------------------------------------------------
+int vtkCascadedSoftShadowPass::GetFilterSize(int cascade) const
+{
+  return this->Read(this->FilterSizes, cascade);
+}
+
+//------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* const patterns[] = { "grid", "stratified", "hammersley" };
+  const char* const filters[] = { "screen", "fixed" };
+  const char* const resolutions[] = { "high", "medium", "low" };
+  os << indent << "NumberOfCascades: " << this->NumberOfCascades << "\n";
+  os << indent << "SplitLambda: " << this->SplitLambda << "\n";
+  os << indent << "BlendBand: " << this->BlendBand << "\n";
+  for (int i = 0; i < MaximumNumberOfCascades; ++i)
+  {
+    os << indent << "Cascade " << i << ": " << this->SampleEdges[i] << "^2 points, "
+       << resolutions[this->Resolutions[i]] << " resolution, filter " << this->FilterSizes[i]
+       << "\n";
+  }
+  os << indent << "Pattern: " << patterns[this->Pattern] << "\n";
+  os << indent << "Filter: " << filters[this->Filter] << "\n";
+  os << indent
+     << "Weights: " << (this->Weights == vtkShadowLightSampling::GAUSSIAN ? "gaussian" : "mean")
+     << "\n";
+  os << indent << "FitToView: " << (this->FitToView ? "on" : "off") << "\n";
+  os << indent << "Adaptive: " << (this->Adaptive ? "on" : "off") << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "Gather: " << (this->Gather ? "on" : "off") << "\n";
+  os << indent << "Tint: " << (this->Tint ? "on" : "off") << "\n";
+  os << indent << "TintLight: " << this->TintLight << "\n";
 }
 VTK_ABI_NAMESPACE_END

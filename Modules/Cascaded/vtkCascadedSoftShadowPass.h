@@ -44,10 +44,10 @@
 
 #include <array>  // For settings
 #include <memory> // For the implementation
-#include <vector> // For sets
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkShadowQueryReader;
+struct vtkCascadedSettings;
 
 class VTKRENDERINGSOFTSHADOWSCASCADED_EXPORT vtkCascadedSoftShadowPass : public vtkSoftShadowPass
 {
@@ -248,18 +248,10 @@ protected:
   vtkCascadedSoftShadowPass();
   ~vtkCascadedSoftShadowPass() override;
 
-  void AddVisibility(const vtkSoftShadowContext& context) override;
-  bool NeedsEmitterMap() const override { return false; }
-  /// A map of the whole light is coarser than the cascades': what it proves is not their truth.
-  int GetProof() const override { return PROVES_LIT; }
-  /// It serves the proofs alone, and half the edge proves as much.
-  int GetEmitterMapSize() const override { return this->MapSize > 64 ? this->MapSize / 2 : 32; }
-  bool NeedsConservativeMaps() const override { return true; }
+  vtkSoftShadowRequirements GetRequirements() const override;
+  void Add(const vtkSoftShadowServices& services) override;
   bool WantsVisibilityAnew() override;
-  bool HasGaussianWeights() const override;
-  vtkTypeInt64 GetTechniqueBytes() override;
-  vtkTypeInt64 GetTechniqueDrawCalls() override;
-  int GetTechniqueShaderBuilds() override;
+  void AddStatistics(vtkSoftShadowStatistics& statistics) override;
 
   int NumberOfCascades = 3;
   double SplitLambda = 0.7;
@@ -283,13 +275,11 @@ private:
   void operator=(const vtkCascadedSoftShadowPass&) = delete;
 
   class Internals;
-  class Refinement;
   std::unique_ptr<Internals> Impl;
 
   void Change(std::array<int, MaximumNumberOfCascades>& values, int cascade, int value);
   int Read(const std::array<int, MaximumNumberOfCascades>& values, int cascade) const;
-  std::vector<size_t> AddSets(const vtkSoftShadowContext& context, size_t cascade);
-  vtkTypeInt64 GetFewPixels() const;
+  vtkCascadedSettings GetSettings();
 };
 
 VTK_ABI_NAMESPACE_END

@@ -9,7 +9,7 @@
  * error message.
  *
  *     vtkShadowFailures failures;
- *     this->AddVisibility(context);
+ *     technique->Add(services);
  *     if (failures.HasAny()) ...
  */
 

@@ -5,6 +5,7 @@
 #include "vtkSoftShadowsOpenGL.h"
 
 #include <algorithm>
+#include <cstring>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -18,6 +19,25 @@ int GetLimit(unsigned int name, int most)
   glGetIntegerv(name, &limit);
   return most > 0 ? std::min<int>(limit, most) : limit;
 }
+
+// Of the extensions that tell, in KiB; their names stand in no header of VTK's.
+constexpr GLenum CurrentAvailableMemoryNvx = 0x9049;
+constexpr GLenum TextureFreeMemoryAti = 0x87FC;
+
+bool HasExtension(const char* name)
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    const GLubyte* extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+    if (extension && std::strcmp(reinterpret_cast<const char*>(extension), name) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -30,6 +50,21 @@ int vtkShadowLimits::GetTextureSize()
 int vtkShadowLimits::GetTextureLayers()
 {
   return GetLimit(GL_MAX_ARRAY_TEXTURE_LAYERS, MostLayers);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkShadowLimits::GetFreeMemory()
+{
+  GLint kibibytes[4] = { 0, 0, 0, 0 };
+  if (HasExtension("GL_NVX_gpu_memory_info"))
+  {
+    glGetIntegerv(CurrentAvailableMemoryNvx, kibibytes);
+  }
+  else if (HasExtension("GL_ATI_meminfo"))
+  {
+    glGetIntegerv(TextureFreeMemoryAti, kibibytes); // the first of four: in the pool altogether
+  }
+  return static_cast<vtkTypeInt64>(std::max(kibibytes[0], 0)) << 10;
 }
 
 //------------------------------------------------------------------------------

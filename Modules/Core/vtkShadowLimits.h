@@ -10,6 +10,7 @@
 
 #include "vtkRenderingSoftShadowsCoreModule.h" // For export macro
 #include "vtkSoftShadowsABI.h"                 // For the ABI namespace
+#include "vtkType.h"                           // For bytes
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGSOFTSHADOWSCORE_EXPORT vtkShadowLimits
@@ -20,6 +21,9 @@ public:
   static int GetTextureSize();
   static int GetTextureLayers();
   ///@}
+
+  /// Bytes of memory for textures that the driver says are free; 0 if it does not say.
+  static vtkTypeInt64 GetFreeMemory();
 
   ///@{
   /// Lower limits than the driver's, for tests of drivers with less; 0: the driver's.

@@ -95,4 +95,16 @@ void vtkShadowTextureUnit::Release()
   }
   this->Unit = -1;
 }
+
+//------------------------------------------------------------------------------
+bool vtkShadowTextureUnit::IsAnyLeft(vtkOpenGLRenderWindow* window)
+{
+  vtkTextureUnitManager* units = window->GetState()->GetTextureUnitManager();
+  const int unit = units->Allocate();
+  if (unit >= 0)
+  {
+    units->Free(unit);
+  }
+  return unit >= 0;
+}
 VTK_ABI_NAMESPACE_END

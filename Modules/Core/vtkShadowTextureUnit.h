@@ -37,6 +37,9 @@ public:
   /// Unbinds the texture and gives the unit back, if there is one.
   void Release();
 
+  /// Whether VTK has one left: it takes one of its own for a moment whenever it makes a texture.
+  static bool IsAnyLeft(vtkOpenGLRenderWindow* window);
+
   bool IsBound() const { return this->Unit >= 0; }
 
 private:

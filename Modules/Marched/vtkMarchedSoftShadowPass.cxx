@@ -12,8 +12,10 @@
 #include "vtkShadowDepthPyramid.h"
 #include "vtkShadowFramebuffer.h"
 #include "vtkShadowReceivers.h"
+#include "vtkShadowScopedTarget.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 #include "vtkSoftShadowsOpenGL.h"
 
 #include "vtkMarchedFilterFS.h"
@@ -51,75 +53,64 @@ vtkMarchedSoftShadowPass::vtkMarchedSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkMarchedSoftShadowPass::~vtkMarchedSoftShadowPass()
+vtkMarchedSoftShadowPass::~vtkMarchedSoftShadowPass() = default;
+
+//------------------------------------------------------------------------------
+vtkSoftShadowRequirements vtkMarchedSoftShadowPass::GetRequirements() const
 {
-  this->ReleaseBeforeDestruction();
+  vtkSoftShadowRequirements requirements;
+  requirements.Pyramid = true;
+  requirements.Proof = vtkSoftShadowRequirements::PROVES_LIT;
+  requirements.GaussianWeights = this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  return requirements;
 }
 
 //------------------------------------------------------------------------------
-bool vtkMarchedSoftShadowPass::HasGaussianWeights() const
+void vtkMarchedSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
-  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
-}
-
-//------------------------------------------------------------------------------
-int vtkMarchedSoftShadowPass::GetProof() const
-{
-  return PROVES_LIT;
-}
-
-//------------------------------------------------------------------------------
-void vtkMarchedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
-{
-  const int pattern = context.Emitter.HasExtent() ? this->Pattern : 1;
+  const int pattern = services.Emitter.HasExtent() ? this->Pattern : 1;
   if (pattern == 1)
   {
-    this->DrawRays(context, pattern, context.Emitter.Weight);
+    this->DrawRays(services, pattern, services.Emitter.Weight);
     return;
   }
   {
-    vtkOpenGLState* state = context.Window->GetState();
-    const vtkOpenGLState::ScopedglViewport viewport(state);
-    const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-    const vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
-    state->PushFramebufferBindings();
-    state->vtkglDisable(GL_SCISSOR_TEST);
+    vtkOpenGLState* state = services.Window->GetState();
+    const vtkShadowScopedTarget target(state);
     state->vtkglDisable(GL_BLEND);
-    const bool begun = this->BeginUnfiltered(context);
-    if (begun)
+    if (this->BeginUnfiltered(services))
     {
-      this->DrawRays(context, pattern, 1.0);
+      this->DrawRays(services, pattern, 1.0);
     }
-    state->PopFramebufferBindings();
-    if (!begun)
+    else
     {
       return;
     }
   }
-  this->BeginStep("pattern filter");
-  this->DrawFilter(context, pattern);
-  this->BeginStep("visibility");
+  services.BeginStep("pattern filter");
+  this->DrawFilter(services, pattern);
+  services.BeginStep("visibility");
 }
 
 //------------------------------------------------------------------------------
-bool vtkMarchedSoftShadowPass::BeginUnfiltered(const vtkSoftShadowContext& context)
+bool vtkMarchedSoftShadowPass::BeginUnfiltered(const vtkSoftShadowServices& services)
 {
-  const int width = context.Receivers->GetWidth();
-  const int height = context.Receivers->GetHeight();
+  const int width = services.Receivers->GetWidth();
+  const int height = services.Receivers->GetHeight();
   vtkShadowTextureArray* texture = this->Impl->Unfiltered;
-  if (!texture->Allocate(context.Window, vtkShadowTextureArray::RG32F, width, height, 1))
+  if (!texture->Allocate(services.Window, vtkShadowTextureArray::RG32F, width, height, 1))
   {
     return false;
   }
-  this->Impl->Framebuffer.Bind(context.Window);
-  vtkShadowFramebuffer::AttachDepthBuffer(context.Marks);
+  this->Impl->Framebuffer.Bind(services.Window);
+  vtkShadowFramebuffer::AttachDepthBuffer(services.Marks);
   texture->AttachLayer(0);
-  vtkShadowFramebuffer::SetDrawBuffers(context.Window, 1);
+  vtkShadowFramebuffer::SetDrawBuffers(services.Window, 1);
   if (!vtkShadowFramebuffer::IsComplete())
   {
     return false;
   }
-  context.Window->GetState()->vtkglViewport(0, 0, width, height);
+  services.Window->GetState()->vtkglViewport(0, 0, width, height);
   const float none[4] = { -1.0f, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, none);
   return true;
@@ -127,10 +118,10 @@ bool vtkMarchedSoftShadowPass::BeginUnfiltered(const vtkSoftShadowContext& conte
 
 //------------------------------------------------------------------------------
 void vtkMarchedSoftShadowPass::DrawRays(
-  const vtkSoftShadowContext& context, int pattern, double weight)
+  const vtkSoftShadowServices& services, int pattern, double weight)
 {
   vtkShadowShader& shader = this->Impl->Shader;
-  if (!shader.Use(context.Window))
+  if (!shader.Use(services.Window))
   {
     return;
   }
@@ -138,58 +129,54 @@ void vtkMarchedSoftShadowPass::DrawRays(
   // First: VTK takes a texture unit of its own to make their texture.
   vtkMarchedRays& rays = this->Impl->Rays;
   program->SetUniformi(
-    "rays", rays.Activate(context.Window, context.Emitter, this->Rays, pattern, this->Weights));
-  this->SetReceiverUniforms(program, context);
-  this->SetMapUniforms(
-    program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
+    "rays", rays.Activate(services.Window, services.Emitter, this->Rays, pattern, this->Weights));
+  services.SetReceiverUniforms(program);
+  services.SetMapUniforms(program);
   program->SetUniformi("rayCount", rays.GetCount());
   program->SetUniformi("firstRays", rays.GetFirstCount());
   program->SetUniformi("pattern", pattern);
   program->SetUniformi("stepCount", this->Steps);
   program->SetUniformf("thickness", static_cast<float>(this->Thickness));
-  program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
+  program->SetUniformf("mapLayer", static_cast<float>(services.Layer));
   program->SetUniformf("weight", static_cast<float>(weight));
-  vtkShadowTextureArray* maps = context.Maps->GetTexture();
-  vtkShadowTextureArray* pyramid = context.Pyramid->GetTexture();
+  vtkShadowTextureArray* maps = services.Maps->GetTexture();
+  vtkShadowTextureArray* pyramid = services.Pyramid->GetTexture();
   program->SetUniformi("depthMaps", maps->Activate());
   program->SetUniformi("depthPyramid", pyramid->Activate());
-  this->DrawFiltered(shader);
+  services.DrawMarked(shader);
   pyramid->Deactivate();
   maps->Deactivate();
   rays.Deactivate();
-  context.Receivers->Deactivate();
+  services.Receivers->Deactivate();
 }
 
 //------------------------------------------------------------------------------
-void vtkMarchedSoftShadowPass::DrawFilter(const vtkSoftShadowContext& context, int pattern)
+void vtkMarchedSoftShadowPass::DrawFilter(const vtkSoftShadowServices& services, int pattern)
 {
   vtkShadowShader& shader = this->Impl->FilterShader;
-  if (!shader.Use(context.Window))
+  if (!shader.Use(services.Window))
   {
     return;
   }
   vtkShaderProgram* program = shader.GetProgram();
-  this->SetReceiverUniforms(program, context);
+  services.SetReceiverUniforms(program);
   program->SetUniformi("pattern", pattern);
   program->SetUniformf("tolerance", TolerancePerRay / static_cast<float>(this->Rays));
-  program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
+  program->SetUniformf("weight", static_cast<float>(services.Emitter.Weight));
   vtkShadowTextureArray* source = this->Impl->Unfiltered;
   program->SetUniformi("source", source->Activate());
   shader.Draw();
   source->Deactivate();
-  context.Receivers->Deactivate();
+  services.Receivers->Deactivate();
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkMarchedSoftShadowPass::GetTechniqueBytes()
+void vtkMarchedSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
 {
-  return this->Impl->Unfiltered->GetBytes() + this->Impl->Rays.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-int vtkMarchedSoftShadowPass::GetTechniqueShaderBuilds()
-{
-  return this->Impl->Shader.GetNumberOfBuilds() + this->Impl->FilterShader.GetNumberOfBuilds();
+  const Internals& impl = *this->Impl;
+  statistics.BytesHeld += impl.Unfiltered->GetBytes() + impl.Rays.GetBytes();
+  statistics.ShaderBuilds +=
+    impl.Shader.GetNumberOfBuilds() + impl.FilterShader.GetNumberOfBuilds();
 }
 
 //------------------------------------------------------------------------------
@@ -212,6 +199,8 @@ void vtkMarchedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Steps: " << this->Steps << "\n";
   os << indent << "Thickness: " << this->Thickness << "\n";
   os << indent << "Pattern: " << this->Pattern << "\n";
-  os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
+  os << indent
+     << "Weights: " << (this->Weights == vtkShadowLightSampling::GAUSSIAN ? "gaussian" : "mean")
+     << "\n";
 }
 VTK_ABI_NAMESPACE_END

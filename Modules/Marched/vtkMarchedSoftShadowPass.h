@@ -97,12 +97,9 @@ protected:
   vtkMarchedSoftShadowPass();
   ~vtkMarchedSoftShadowPass() override;
 
-  void AddVisibility(const vtkSoftShadowContext& context) override;
-  bool HasGaussianWeights() const override;
-  bool NeedsPyramid() const override { return true; }
-  int GetProof() const override;
-  vtkTypeInt64 GetTechniqueBytes() override;
-  int GetTechniqueShaderBuilds() override;
+  vtkSoftShadowRequirements GetRequirements() const override;
+  void Add(const vtkSoftShadowServices& services) override;
+  void AddStatistics(vtkSoftShadowStatistics& statistics) override;
 
   int Rays = 32;
   int Steps = 8;
@@ -117,9 +114,9 @@ private:
   class Internals;
   std::unique_ptr<Internals> Impl;
 
-  bool BeginUnfiltered(const vtkSoftShadowContext& context);
-  void DrawRays(const vtkSoftShadowContext& context, int pattern, double weight);
-  void DrawFilter(const vtkSoftShadowContext& context, int pattern);
+  bool BeginUnfiltered(const vtkSoftShadowServices& services);
+  void DrawRays(const vtkSoftShadowServices& services, int pattern, double weight);
+  void DrawFilter(const vtkSoftShadowServices& services, int pattern);
 };
 
 VTK_ABI_NAMESPACE_END

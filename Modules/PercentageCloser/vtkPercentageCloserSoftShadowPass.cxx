@@ -9,6 +9,7 @@
 #include "vtkShadowDepthPyramid.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 
 #include "vtkPercentageCloserSoftShadowFS.h"
 
@@ -22,55 +23,54 @@ vtkPercentageCloserSoftShadowPass::vtkPercentageCloserSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkPercentageCloserSoftShadowPass::~vtkPercentageCloserSoftShadowPass()
+vtkPercentageCloserSoftShadowPass::~vtkPercentageCloserSoftShadowPass() = default;
+
+//------------------------------------------------------------------------------
+vtkSoftShadowRequirements vtkPercentageCloserSoftShadowPass::GetRequirements() const
 {
-  this->ReleaseBeforeDestruction();
+  vtkSoftShadowRequirements requirements;
+  requirements.Pyramid = this->Footprint;
+  requirements.GaussianWeights = this->HasGaussianWeights();
+  return requirements;
 }
 
 //------------------------------------------------------------------------------
-bool vtkPercentageCloserSoftShadowPass::HasGaussianWeights() const
+void vtkPercentageCloserSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
-  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
-}
-
-//------------------------------------------------------------------------------
-void vtkPercentageCloserSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
-{
-  if (!this->Shader.Use(context.Window))
+  if (!this->Shader.Use(services.Window))
   {
     return;
   }
   vtkShaderProgram* program = this->Shader.GetProgram();
-  this->SetReceiverUniforms(program, context);
-  this->SetMapUniforms(
-    program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
-  vtkShadowTextureArray* texture = context.Maps->GetTexture();
+  services.SetReceiverUniforms(program);
+  services.SetMapUniforms(program);
+  vtkShadowTextureArray* texture = services.Maps->GetTexture();
   const int mapsUnit = texture->Activate();
   program->SetUniformi("depthMaps", mapsUnit);
-  program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
-  program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
+  program->SetUniformf("mapLayer", static_cast<float>(services.Layer));
+  program->SetUniformf("weight", static_cast<float>(services.Emitter.Weight));
   // All taps of a light without extent are the same one.
-  const bool hasExtent = context.Emitter.HasExtent();
+  const bool hasExtent = services.Emitter.HasExtent();
   program->SetUniformi("searchWidth", hasExtent ? this->SearchWidth : 1);
   program->SetUniformi("filterWidth", hasExtent ? this->FilterWidth : 1);
   program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
   // Not read without footprint: any texture of its kind will do.
-  vtkShadowTextureArray* pyramid = this->Footprint ? context.Pyramid->GetTexture() : nullptr;
+  vtkShadowTextureArray* pyramid = this->Footprint ? services.Pyramid->GetTexture() : nullptr;
   program->SetUniformi("depthPyramid", pyramid ? pyramid->Activate() : mapsUnit);
   program->SetUniformi("footprint", this->Footprint ? 1 : 0);
-  this->DrawFiltered(this->Shader);
+  services.DrawMarked(this->Shader);
   if (pyramid)
   {
     pyramid->Deactivate();
   }
   texture->Deactivate();
-  context.Receivers->Deactivate();
+  services.Receivers->Deactivate();
 }
 
 //------------------------------------------------------------------------------
-int vtkPercentageCloserSoftShadowPass::GetTechniqueShaderBuilds()
+void vtkPercentageCloserSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
 {
-  return this->Shader.GetNumberOfBuilds();
+  statistics.ShaderBuilds += this->Shader.GetNumberOfBuilds();
 }
 
 //------------------------------------------------------------------------------

@@ -82,10 +82,9 @@ protected:
   vtkPercentageCloserSoftShadowPass();
   ~vtkPercentageCloserSoftShadowPass() override;
 
-  void AddVisibility(const vtkSoftShadowContext& context) override;
-  bool NeedsPyramid() const override { return this->Footprint; }
-  bool HasGaussianWeights() const override;
-  int GetTechniqueShaderBuilds() override;
+  vtkSoftShadowRequirements GetRequirements() const override;
+  void Add(const vtkSoftShadowServices& services) override;
+  void AddStatistics(vtkSoftShadowStatistics& statistics) override;
 
   int SearchWidth = 15;
   int FilterWidth = 21;
@@ -97,6 +96,8 @@ private:
   void operator=(const vtkPercentageCloserSoftShadowPass&) = delete;
 
   vtkShadowShader Shader;
+
+  bool HasGaussianWeights() const { return this->Weights == vtkShadowLightSampling::GAUSSIAN; }
 };
 
 VTK_ABI_NAMESPACE_END

@@ -12,6 +12,7 @@
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 
 #include "vtkSampledSoftShadowFS.h"
 
@@ -51,42 +52,37 @@ vtkSampledSoftShadowPass::vtkSampledSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkSampledSoftShadowPass::~vtkSampledSoftShadowPass()
-{
-  this->ReleaseBeforeDestruction();
-}
+vtkSampledSoftShadowPass::~vtkSampledSoftShadowPass() = default;
 
 //------------------------------------------------------------------------------
-int vtkSampledSoftShadowPass::GetProof() const
+vtkSoftShadowRequirements vtkSampledSoftShadowPass::GetRequirements() const
 {
+  vtkSoftShadowRequirements requirements;
+  requirements.EmitterMap = false;
   // Few maps are cheaper to look at than a pyramid is to build; and only a true proof counts here:
   // a light whose centre is hidden everywhere may still peep past the first blocker.
-  return this->NumberOfSamples < 16 ? PROVES_NOTHING : PROVES_LIT;
+  requirements.Proof = this->NumberOfSamples < 16 ? vtkSoftShadowRequirements::PROVES_NOTHING
+                                                  : vtkSoftShadowRequirements::PROVES_LIT;
+  requirements.GaussianWeights = this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  return requirements;
 }
 
 //------------------------------------------------------------------------------
-bool vtkSampledSoftShadowPass::HasGaussianWeights() const
+void vtkSampledSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
-  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
-}
-
-//------------------------------------------------------------------------------
-void vtkSampledSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
-{
-  EmitterSamples& emitter = this->Impl->Emitters[std::make_pair(context.Light, context.Part)];
-  if (emitter.Emitter != context.Emitter || emitter.SettingsTime != this->GetMTime() ||
-    emitter.CastersTime != context.Casters->GetCastersTime())
+  EmitterSamples& emitter = this->Impl->Emitters[std::make_pair(services.Light, services.Part)];
+  if (emitter.Emitter != services.Emitter || emitter.SettingsTime != this->GetMTime() ||
+    emitter.CastersTime != services.Casters->GetCastersTime())
   {
-    emitter.Emitter = context.Emitter;
+    emitter.Emitter = services.Emitter;
     emitter.SettingsTime = this->GetMTime();
-    emitter.CastersTime = context.Casters->GetCastersTime();
-    emitter.Samples = vtkSoftShadowPass::FitSamples(context,
-      vtkShadowLightSampling::Generate(
-        context.Emitter, this->NumberOfSamples, this->Pattern, this->Weights));
+    emitter.CastersTime = services.Casters->GetCastersTime();
+    emitter.Samples = services.FitSamples(vtkShadowLightSampling::Generate(
+      services.Emitter, this->NumberOfSamples, this->Pattern, this->Weights));
   }
   const size_t layers =
-    static_cast<size_t>(vtkShadowTextureArray::GetMaximumLayers(context.Window));
-  const size_t batch = std::min(this->GetMapsPerBatch(), layers);
+    static_cast<size_t>(vtkShadowTextureArray::GetMaximumLayers(services.Window));
+  const size_t batch = std::min(services.GetMapsPerBatch(services.MapSize), layers);
   float litWeight = emitter.Samples.LitWeight;
   for (size_t first = 0; first == 0 || first < emitter.Samples.Views.size(); first += batch)
   {
@@ -95,75 +91,59 @@ void vtkSampledSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context
     {
       const std::vector<vtkShadowMapView> views(
         emitter.Samples.Views.begin() + first, emitter.Samples.Views.begin() + last);
-      const int baked = emitter.Maps->Bake(context.Renderer, context.Casters, views, this->MapSize);
+      const int baked =
+        emitter.Maps->Bake(services.Renderer, services.Casters, views, services.MapSize);
       if (baked < 0)
       {
         return;
       }
-      this->CountBakes(baked);
+      services.CountBakes(baked, services.MapSize);
     }
     for (size_t i = first; i == first || i < last; i += MapsPerDraw)
     {
-      if (!this->Impl->Shader.Use(context.Window))
+      if (!this->Impl->Shader.Use(services.Window))
       {
         return;
       }
       vtkShaderProgram* program = this->Impl->Shader.GetProgram();
       program->SetUniformf("litWeight", litWeight);
       litWeight = 0.0f; // once
-      this->SetReceiverUniforms(program, context);
+      services.SetReceiverUniforms(program);
       const size_t count = std::min(MapsPerDraw, last - i);
-      vtkSoftShadowPass::SetSampleUniforms(program, context, emitter.Samples.Views.data() + i,
-        emitter.Samples.Weights.data() + i, count, i - first, this->MapSize, this->FilterSize);
+      services.SetSampleUniforms(program, emitter.Samples.Views.data() + i,
+        emitter.Samples.Weights.data() + i, count, i - first, services.MapSize, this->FilterSize);
       vtkShadowTextureArray* texture = emitter.Maps->GetTexture();
       const bool hasMaps = count > 0;
       if (hasMaps)
       {
         program->SetUniformi("depthMaps", texture->Activate());
       }
-      this->DrawFiltered(this->Impl->Shader);
+      services.DrawMarked(this->Impl->Shader);
       texture->Deactivate();
-      context.Receivers->Deactivate();
+      services.Receivers->Deactivate();
     }
   }
   // Of a light's many parts only the first ones keep their maps.
   vtkTypeInt64 bytes = 0;
   for (auto& other : this->Impl->Emitters)
   {
-    bytes += other.first.first == context.Light ? other.second.Maps->GetTexture()->GetBytes() : 0;
+    bytes += other.first.first == services.Light ? other.second.Maps->GetTexture()->GetBytes() : 0;
   }
-  if (this->ExceedsMapMemory(bytes))
+  if (services.ExceedsMapMemory(bytes))
   {
-    emitter.Maps->ReleaseGraphicsResources(context.Window);
+    emitter.Maps->ReleaseGraphicsResources(services.Window);
   }
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkSampledSoftShadowPass::GetTechniqueBytes()
+void vtkSampledSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
 {
-  vtkTypeInt64 bytes = 0;
+  statistics.ShaderBuilds += this->Impl->Shader.GetNumberOfBuilds();
   for (auto& emitter : this->Impl->Emitters)
   {
-    bytes += emitter.second.Maps->GetTexture()->GetBytes();
+    statistics.BytesHeld += emitter.second.Maps->GetTexture()->GetBytes();
+    statistics.DrawCalls += emitter.second.Maps->GetNumberOfDrawCalls();
   }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkSampledSoftShadowPass::GetTechniqueDrawCalls()
-{
-  vtkTypeInt64 calls = 0;
-  for (auto& emitter : this->Impl->Emitters)
-  {
-    calls += emitter.second.Maps->GetNumberOfDrawCalls();
-  }
-  return calls;
-}
-
-//------------------------------------------------------------------------------
-int vtkSampledSoftShadowPass::GetTechniqueShaderBuilds()
-{
-  return this->Impl->Shader.GetNumberOfBuilds();
 }
 
 //------------------------------------------------------------------------------

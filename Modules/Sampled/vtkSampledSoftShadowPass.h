@@ -81,13 +81,9 @@ protected:
   vtkSampledSoftShadowPass();
   ~vtkSampledSoftShadowPass() override;
 
-  void AddVisibility(const vtkSoftShadowContext& context) override;
-  bool NeedsEmitterMap() const override { return false; }
-  int GetProof() const override;
-  bool HasGaussianWeights() const override;
-  vtkTypeInt64 GetTechniqueBytes() override;
-  vtkTypeInt64 GetTechniqueDrawCalls() override;
-  int GetTechniqueShaderBuilds() override;
+  vtkSoftShadowRequirements GetRequirements() const override;
+  void Add(const vtkSoftShadowServices& services) override;
+  void AddStatistics(vtkSoftShadowStatistics& statistics) override;
 
   int NumberOfSamples = 16;
   int Pattern = vtkShadowLightSampling::LATTICE;

@@ -11,6 +11,7 @@
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 
 #include "vtkScreenSpaceBlurFS.h"
 #include "vtkScreenSpaceHardFS.h"
@@ -40,10 +41,7 @@ vtkScreenSpaceSoftShadowPass::vtkScreenSpaceSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkScreenSpaceSoftShadowPass::~vtkScreenSpaceSoftShadowPass()
-{
-  this->ReleaseBeforeDestruction();
-}
+vtkScreenSpaceSoftShadowPass::~vtkScreenSpaceSoftShadowPass() = default;
 
 //------------------------------------------------------------------------------
 std::vector<vtkSeparableStep*> vtkScreenSpaceSoftShadowPass::GetSteps()
@@ -58,43 +56,43 @@ std::vector<vtkShadowTextureArray*> vtkScreenSpaceSoftShadowPass::GetTextures()
 }
 
 //------------------------------------------------------------------------------
-void vtkScreenSpaceSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
+void vtkScreenSpaceSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
   if (!vtkScreenSpaceSoftShadowPass::Allocate(
-        context, vtkShadowTextureArray::R32F, { impl.HardShadows, impl.Blurred }) ||
+        services, vtkShadowTextureArray::R32F, { impl.HardShadows, impl.Blurred }) ||
     !vtkScreenSpaceSoftShadowPass::Allocate(
-      context, vtkShadowTextureArray::RG32F, { impl.Penumbrae }))
+      services, vtkShadowTextureArray::RG32F, { impl.Penumbrae }))
   {
     return;
   }
-  this->BeginStep("hard shadow");
-  this->DrawHardShadow(context);
-  this->BeginStep("search");
-  this->DrawPenumbrae(context);
-  this->BeginStep("blur");
-  this->DrawBlur(context, false);
-  this->DrawBlur(context, true);
+  services.BeginStep("hard shadow");
+  this->DrawHardShadow(services);
+  services.BeginStep("search");
+  this->DrawPenumbrae(services);
+  services.BeginStep("blur");
+  this->DrawBlur(services, false);
+  this->DrawBlur(services, true);
 }
 
 //------------------------------------------------------------------------------
-void vtkScreenSpaceSoftShadowPass::DrawHardShadow(const vtkSoftShadowContext& context)
+void vtkScreenSpaceSoftShadowPass::DrawHardShadow(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  if (this->UseStep(impl.Hard, context))
+  if (this->UseStep(impl.Hard, services))
   {
     // Also where pixels were proved.
-    this->GetTarget().Draw(context.Window, impl.Hard.GetShader(), { { impl.HardShadows, 1.0f } },
-      context.Marks, [](bool) {});
-    vtkScreenSpaceSoftShadowPass::EndStep(context);
+    this->GetTarget().Draw(services.Window, impl.Hard.GetShader(), { { impl.HardShadows, 1.0f } },
+      services.Marks, [](bool) {});
+    vtkScreenSpaceSoftShadowPass::EndStep(services);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkScreenSpaceSoftShadowPass::DrawPenumbrae(const vtkSoftShadowContext& context)
+void vtkScreenSpaceSoftShadowPass::DrawPenumbrae(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  if (vtkShaderProgram* program = this->UseStep(impl.Penumbra, context))
+  if (vtkShaderProgram* program = this->UseStep(impl.Penumbra, services))
   {
     program->SetUniformi("footprint", 1);
     const float s[2] = { 1.0f, 0.0f };
@@ -102,20 +100,20 @@ void vtkScreenSpaceSoftShadowPass::DrawPenumbrae(const vtkSoftShadowContext& con
     program->SetUniform2f("rowAxis", s);
     program->SetUniform2f("columnAxis", t);
     float mapToScreen[16];
-    vtkSeparableStep::MapToScreen(context, context.Maps->GetViews()[context.Layer], mapToScreen);
+    vtkSeparableStep::MapToScreen(services, services.GetMapView(), mapToScreen);
     program->SetUniformMatrix4x4("mapToScreen", mapToScreen);
     this->GetTarget().Draw(
-      context.Window, impl.Penumbra.GetShader(), { { impl.Penumbrae, -1.0f } }, context.Marks);
-    vtkScreenSpaceSoftShadowPass::EndStep(context);
+      services.Window, impl.Penumbra.GetShader(), { { impl.Penumbrae, -1.0f } }, services.Marks);
+    vtkScreenSpaceSoftShadowPass::EndStep(services);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkScreenSpaceSoftShadowPass::DrawBlur(const vtkSoftShadowContext& context, bool last)
+void vtkScreenSpaceSoftShadowPass::DrawBlur(const vtkSoftShadowServices& services, bool last)
 {
   Internals& impl = *this->Impl;
   vtkShadowShader& shader = impl.Blur.GetShader();
-  vtkShaderProgram* program = this->UseStep(impl.Blur, context);
+  vtkShaderProgram* program = this->UseStep(impl.Blur, services);
   if (!program)
   {
     return;
@@ -127,23 +125,23 @@ void vtkScreenSpaceSoftShadowPass::DrawBlur(const vtkSoftShadowContext& context,
   program->SetUniformi("hasBlurred", last ? 1 : 0);
   const float axis[2] = { last ? 0.0f : 1.0f, last ? 1.0f : 0.0f };
   program->SetUniform2f("blurAxis", axis);
-  const float texel[2] = { 1.0f / static_cast<float>(context.Receivers->GetWidth()),
-    1.0f / static_cast<float>(context.Receivers->GetHeight()) };
+  const float texel[2] = { 1.0f / static_cast<float>(services.Receivers->GetWidth()),
+    1.0f / static_cast<float>(services.Receivers->GetHeight()) };
   program->SetUniform2f("texel", texel);
   program->SetUniformf("beta", static_cast<float>(this->Beta));
-  program->SetUniformf("weight", last ? static_cast<float>(context.Emitter.Weight) : 1.0f);
+  program->SetUniformf("weight", last ? static_cast<float>(services.Emitter.Weight) : 1.0f);
   if (last)
   {
-    this->DrawFiltered(shader);
+    services.DrawMarked(shader);
     impl.Blurred->Deactivate();
   }
   else
   {
-    this->GetTarget().Draw(context.Window, shader, { { impl.Blurred, -1.0f } }, context.Marks);
+    this->GetTarget().Draw(services.Window, shader, { { impl.Blurred, -1.0f } }, services.Marks);
   }
   impl.HardShadows->Deactivate();
   impl.Penumbrae->Deactivate();
-  vtkScreenSpaceSoftShadowPass::EndStep(context);
+  vtkScreenSpaceSoftShadowPass::EndStep(services);
 }
 
 //------------------------------------------------------------------------------

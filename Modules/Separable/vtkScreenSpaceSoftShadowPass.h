@@ -53,7 +53,7 @@ protected:
   vtkScreenSpaceSoftShadowPass();
   ~vtkScreenSpaceSoftShadowPass() override;
 
-  void AddVisibility(const vtkSoftShadowContext& context) override;
+  void Add(const vtkSoftShadowServices& services) override;
   std::vector<vtkSeparableStep*> GetSteps() override;
   std::vector<vtkShadowTextureArray*> GetTextures() override;
 
@@ -66,9 +66,9 @@ private:
   class Internals;
   std::unique_ptr<Internals> Impl;
 
-  void DrawHardShadow(const vtkSoftShadowContext& context);
-  void DrawPenumbrae(const vtkSoftShadowContext& context);
-  void DrawBlur(const vtkSoftShadowContext& context, bool last);
+  void DrawHardShadow(const vtkSoftShadowServices& services);
+  void DrawPenumbrae(const vtkSoftShadowServices& services);
+  void DrawBlur(const vtkSoftShadowServices& services, bool last);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -17,6 +17,7 @@
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 #include "vtkWeakPointer.h"
 
 #include "vtkSeparableColumnsFS.h"
@@ -88,10 +89,7 @@ vtkSeparableSoftShadowPass::vtkSeparableSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkSeparableSoftShadowPass::~vtkSeparableSoftShadowPass()
-{
-  this->ReleaseBeforeDestruction();
-}
+vtkSeparableSoftShadowPass::~vtkSeparableSoftShadowPass() = default;
 
 //------------------------------------------------------------------------------
 void vtkSeparableSoftShadowPass::SetLightThresholds(vtkLight* light, double alpha, double beta)
@@ -137,9 +135,13 @@ double vtkSeparableSoftShadowPass::GetLightBeta(vtkLight* light) const
 }
 
 //------------------------------------------------------------------------------
-int vtkSeparableSoftShadowPass::GetProof() const
+vtkSoftShadowRequirements vtkSeparableSoftShadowPass::GetRequirements() const
 {
-  return this->DebugView == DEBUG_NONE ? PROVES_LIT_AND_BLOCKED : PROVES_LIT;
+  vtkSoftShadowRequirements requirements = this->Superclass::GetRequirements();
+  requirements.Proof = this->DebugView == DEBUG_NONE
+    ? vtkSoftShadowRequirements::PROVES_LIT_AND_BLOCKED
+    : vtkSoftShadowRequirements::PROVES_LIT;
+  return requirements;
 }
 
 //------------------------------------------------------------------------------
@@ -163,44 +165,43 @@ bool vtkSeparableSoftShadowPass::WritesShares(int stage) const
 }
 
 //------------------------------------------------------------------------------
-void vtkSeparableSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
+void vtkSeparableSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
   bool allocated = vtkSeparableSoftShadowPass::Allocate(
-    context, vtkShadowTextureArray::RGBA32F, { impl.Points, impl.SearchRows, impl.FilterRows });
+    services, vtkShadowTextureArray::RGBA32F, { impl.Points, impl.SearchRows, impl.FilterRows });
   for (int stage = 0; stage < vtkSeparableReuseCount::Stages; ++stage)
   {
     allocated = allocated &&
       (!this->WritesShares(stage) ||
         vtkSeparableSoftShadowPass::Allocate(
-          context, vtkShadowTextureArray::R32F, { impl.Reuse.GetShares(stage) }));
+          services, vtkShadowTextureArray::R32F, { impl.Reuse.GetShares(stage) }));
   }
   if (!allocated)
   {
     return;
   }
-  this->BeginStep("rows");
-  this->DrawRows(context);
-  this->BeginStep("columns");
-  this->DrawColumns(context);
-  this->BeginStep("filter");
-  this->DrawVisibility(context);
+  services.BeginStep("rows");
+  this->DrawRows(services);
+  services.BeginStep("columns");
+  this->DrawColumns(services);
+  services.BeginStep("filter");
+  this->DrawVisibility(services);
   if (this->CountReuse)
   {
-    impl.Reuse.Add(this->ChangeStatistics().VisibilityFrames);
+    impl.Reuse.Add(services.Estimate);
     const auto percent = [&impl](int stage)
     { return static_cast<vtkTypeInt64>(std::lround(100.0 * impl.Reuse.GetShare(stage))); };
-    this->ChangeStatistics().TechniqueCounts = { { "percent_of_search_rows_reused",
-                                                   percent(SEARCH_STAGE) },
-      { "percent_of_filter_rows_reused", percent(FILTER_STAGE) } };
+    services.SetCounts({ { "percent_of_search_rows_reused", percent(SEARCH_STAGE) },
+      { "percent_of_filter_rows_reused", percent(FILTER_STAGE) } });
   }
 }
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* vtkSeparableSoftShadowPass::UseRows(
-  vtkSeparableStep& step, const vtkSoftShadowContext& context)
+  vtkSeparableStep& step, const vtkSoftShadowServices& services)
 {
-  vtkShaderProgram* program = this->UseStep(step, context);
+  vtkShaderProgram* program = this->UseStep(step, services);
   if (program)
   {
     program->SetUniformi("footprint", this->Footprint ? 1 : 0);
@@ -213,32 +214,32 @@ vtkShaderProgram* vtkSeparableSoftShadowPass::UseRows(
 
 //------------------------------------------------------------------------------
 void vtkSeparableSoftShadowPass::SetReuseUniforms(
-  vtkShaderProgram* program, const vtkSoftShadowContext& context)
+  vtkShaderProgram* program, const vtkSoftShadowServices& services)
 {
-  const vtkShadowMapView& view = context.Maps->GetViews()[context.Layer];
+  const vtkShadowMapView& view = services.GetMapView();
   float mapToScreen[16];
-  vtkSeparableStep::MapToScreen(context, view, mapToScreen);
+  vtkSeparableStep::MapToScreen(services, view, mapToScreen);
   program->SetUniformMatrix4x4("mapToScreen", mapToScreen);
   program->SetUniformi("receiverPoints", this->Impl->Points->Activate());
   program->SetUniformi("reusePublished", this->Reuse == REUSE_AS_PUBLISHED ? 1 : 0);
   program->SetUniformf("reuseSnap", SnapTolerance);
-  const float size[2] = { static_cast<float>(context.Receivers->GetWidth()),
-    static_cast<float>(context.Receivers->GetHeight()) };
+  const float size[2] = { static_cast<float>(services.Receivers->GetWidth()),
+    static_cast<float>(services.Receivers->GetHeight()) };
   program->SetUniform2f("screenSize", size);
-  const double* range = context.Renderer->GetActiveCamera()->GetClippingRange();
+  const double* range = services.Renderer->GetActiveCamera()->GetClippingRange();
   const float limits[2] = { static_cast<float>(
-                              this->GetLightAlpha(context.Source) * (view.Far - view.Near)),
-    static_cast<float>(this->GetLightBeta(context.Source) * (range[1] - range[0])) };
+                              this->GetLightAlpha(services.Source) * (view.Far - view.Near)),
+    static_cast<float>(this->GetLightBeta(services.Source) * (range[1] - range[0])) };
   program->SetUniform2f("reusePublishedLimits", limits);
 }
 
 //------------------------------------------------------------------------------
 std::array<float, 3> vtkSeparableSoftShadowPass::GetRowWeights(
-  const vtkSoftShadowContext& context) const
+  const vtkSoftShadowServices& services) const
 {
-  const int taps = context.Emitter.HasExtent() ? this->FilterWidth : 1;
-  const double center = context.Emitter.WindowCenter[this->RowAxis];
-  const double halfSize = context.Emitter.WindowHalfSize[this->RowAxis];
+  const int taps = services.Emitter.HasExtent() ? this->FilterWidth : 1;
+  const double center = services.Emitter.WindowCenter[this->RowAxis];
+  const double halfSize = services.Emitter.WindowHalfSize[this->RowAxis];
   std::array<float, 3> weights = { { 0.0f, 0.0f, 0.0f } };
   for (int i = 0; i < taps; ++i)
   {
@@ -253,71 +254,71 @@ std::array<float, 3> vtkSeparableSoftShadowPass::GetRowWeights(
 }
 
 //------------------------------------------------------------------------------
-void vtkSeparableSoftShadowPass::DrawRows(const vtkSoftShadowContext& context)
+void vtkSeparableSoftShadowPass::DrawRows(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  if (vtkShaderProgram* program = this->UseRows(impl.Rows, context))
+  if (vtkShaderProgram* program = this->UseRows(impl.Rows, services))
   {
     // No ray from a pixel that was proved lit meets a blocker: the footprint leaves its row empty.
     const auto setPart = [this, program](bool proved)
     { program->SetUniformi("provedByFootprint", proved && this->Footprint ? 1 : 0); };
-    this->GetTarget().Draw(context.Window, impl.Rows.GetShader(),
-      { { impl.Points, 0.0f }, { impl.SearchRows, 0.0f } }, context.Marks, setPart);
-    vtkSeparableSoftShadowPass::EndStep(context);
+    this->GetTarget().Draw(services.Window, impl.Rows.GetShader(),
+      { { impl.Points, 0.0f }, { impl.SearchRows, 0.0f } }, services.Marks, setPart);
+    vtkSeparableSoftShadowPass::EndStep(services);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkSeparableSoftShadowPass::DrawColumns(const vtkSoftShadowContext& context)
+void vtkSeparableSoftShadowPass::DrawColumns(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  if (vtkShaderProgram* program = this->UseRows(impl.Columns, context))
+  if (vtkShaderProgram* program = this->UseRows(impl.Columns, services))
   {
-    this->SetReuseUniforms(program, context);
+    this->SetReuseUniforms(program, services);
     program->SetUniformi("searchRows", impl.SearchRows->Activate());
-    const std::array<float, 3> weights = this->GetRowWeights(context);
+    const std::array<float, 3> weights = this->GetRowWeights(services);
     program->SetUniformf("rowTotal", weights[0] + weights[1] + weights[2]);
-    program->SetUniformf("alpha", static_cast<float>(this->GetLightAlpha(context.Source)));
+    program->SetUniformf("alpha", static_cast<float>(this->GetLightAlpha(services.Source)));
     vtkShadowTextureArray* shares =
       this->WritesShares(SEARCH_STAGE) ? impl.Reuse.GetShares(SEARCH_STAGE) : nullptr;
-    this->GetTarget().Draw(context.Window, impl.Columns.GetShader(),
+    this->GetTarget().Draw(services.Window, impl.Columns.GetShader(),
       { { impl.FilterRows, vtkSeparableStep::ProvedRow },
         { shares, vtkSeparableReuseCount::Uncounted } },
-      context.Marks);
+      services.Marks);
     impl.SearchRows->Deactivate();
     impl.Points->Deactivate();
-    vtkSeparableSoftShadowPass::EndStep(context);
+    vtkSeparableSoftShadowPass::EndStep(services);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkSeparableSoftShadowPass::DrawVisibility(const vtkSoftShadowContext& context)
+void vtkSeparableSoftShadowPass::DrawVisibility(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  if (vtkShaderProgram* program = this->UseRows(impl.Visibility, context))
+  if (vtkShaderProgram* program = this->UseRows(impl.Visibility, services))
   {
-    this->SetReuseUniforms(program, context);
+    this->SetReuseUniforms(program, services);
     program->SetUniformi("filterRows", impl.FilterRows->Activate());
     vtkShadowTextureArray* searchShares = impl.Reuse.GetShares(SEARCH_STAGE);
-    program->SetUniformi("searchShares", searchShares->Activate(context.Window));
+    program->SetUniformi("searchShares", searchShares->Activate(services.Window));
     program->SetUniformi("debugView", this->DebugView);
-    program->SetUniformf("beta", static_cast<float>(this->GetLightBeta(context.Source)));
+    program->SetUniformf("beta", static_cast<float>(this->GetLightBeta(services.Source)));
     program->SetUniformf("widthTolerance", WidthTolerance);
-    program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
-    const std::array<float, 3> weights = this->GetRowWeights(context);
+    program->SetUniformf("weight", static_cast<float>(services.Emitter.Weight));
+    const std::array<float, 3> weights = this->GetRowWeights(services);
     program->SetUniform3f("rowWeights", weights.data());
-    this->DrawFiltered(impl.Visibility.GetShader());
+    services.DrawMarked(impl.Visibility.GetShader());
     if (this->CountReuse)
     {
-      this->GetTarget().Draw(context.Window, impl.Visibility.GetShader(),
+      this->GetTarget().Draw(services.Window, impl.Visibility.GetShader(),
         { { nullptr, 0.0f },
           { impl.Reuse.GetShares(FILTER_STAGE), vtkSeparableReuseCount::Uncounted } },
-        context.Marks);
+        services.Marks);
     }
     searchShares->Deactivate();
     impl.FilterRows->Deactivate();
     impl.Points->Deactivate();
-    vtkSeparableSoftShadowPass::EndStep(context);
+    vtkSeparableSoftShadowPass::EndStep(services);
   }
 }
 

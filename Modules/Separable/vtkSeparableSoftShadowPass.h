@@ -167,9 +167,9 @@ protected:
   vtkSeparableSoftShadowPass();
   ~vtkSeparableSoftShadowPass() override;
 
-  void AddVisibility(const vtkSoftShadowContext& context) override;
+  void Add(const vtkSoftShadowServices& services) override;
   /// Shares are shown where there is no light, too.
-  int GetProof() const override;
+  vtkSoftShadowRequirements GetRequirements() const override;
   std::vector<vtkSeparableStep*> GetSteps() override;
   std::vector<vtkShadowTextureArray*> GetTextures() override;
 
@@ -188,15 +188,15 @@ private:
   class Internals;
   std::unique_ptr<Internals> Impl;
 
-  void DrawRows(const vtkSoftShadowContext& context);
-  void DrawColumns(const vtkSoftShadowContext& context);
-  void DrawVisibility(const vtkSoftShadowContext& context);
+  void DrawRows(const vtkSoftShadowServices& services);
+  void DrawColumns(const vtkSoftShadowServices& services);
+  void DrawVisibility(const vtkSoftShadowServices& services);
   /// Whether the steps write the share of rows that they reuse in a stage.
   bool WritesShares(int stage) const;
-  vtkShaderProgram* UseRows(vtkSeparableStep& step, const vtkSoftShadowContext& context);
+  vtkShaderProgram* UseRows(vtkSeparableStep& step, const vtkSoftShadowServices& services);
   /// Sums of the filter's weights in the parts of a row.
-  std::array<float, 3> GetRowWeights(const vtkSoftShadowContext& context) const;
-  void SetReuseUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context);
+  std::array<float, 3> GetRowWeights(const vtkSoftShadowServices& services) const;
+  void SetReuseUniforms(vtkShaderProgram* program, const vtkSoftShadowServices& services);
 };
 
 VTK_ABI_NAMESPACE_END

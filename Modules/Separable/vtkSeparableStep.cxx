@@ -9,7 +9,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowMapView.h"
 #include "vtkShadowReceivers.h"
-#include "vtkSoftShadowPass.h"
+#include "vtkSoftShadowContext.h"
 
 #include "vtkSeparableReuse.h"
 #include "vtkSeparableRows.h"

@@ -10,6 +10,7 @@
 #include "vtkShadowDepthPyramid.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
@@ -22,19 +23,22 @@ vtkTwoKernelSoftShadowPass::vtkTwoKernelSoftShadowPass()
 vtkTwoKernelSoftShadowPass::~vtkTwoKernelSoftShadowPass() = default;
 
 //------------------------------------------------------------------------------
-bool vtkTwoKernelSoftShadowPass::HasGaussianWeights() const
+vtkSoftShadowRequirements vtkTwoKernelSoftShadowPass::GetRequirements() const
 {
-  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  vtkSoftShadowRequirements requirements;
+  requirements.Pyramid = true;
+  requirements.GaussianWeights = this->HasGaussianWeights();
+  return requirements;
 }
 
 //------------------------------------------------------------------------------
-bool vtkTwoKernelSoftShadowPass::Allocate(const vtkSoftShadowContext& context, int format,
+bool vtkTwoKernelSoftShadowPass::Allocate(const vtkSoftShadowServices& services, int format,
   const std::vector<vtkShadowTextureArray*>& textures)
 {
   for (vtkShadowTextureArray* texture : textures)
   {
-    if (!texture->Allocate(
-          context.Window, format, context.Receivers->GetWidth(), context.Receivers->GetHeight(), 1))
+    if (!texture->Allocate(services.Window, format, services.Receivers->GetWidth(),
+          services.Receivers->GetHeight(), 1))
     {
       return false;
     }
@@ -44,21 +48,20 @@ bool vtkTwoKernelSoftShadowPass::Allocate(const vtkSoftShadowContext& context, i
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* vtkTwoKernelSoftShadowPass::UseStep(
-  vtkSeparableStep& step, const vtkSoftShadowContext& context)
+  vtkSeparableStep& step, const vtkSoftShadowServices& services)
 {
-  if (!step.GetShader().Use(context.Window))
+  if (!step.GetShader().Use(services.Window))
   {
     return nullptr;
   }
   vtkShaderProgram* program = step.GetShader().GetProgram();
-  this->SetReceiverUniforms(program, context);
-  this->SetMapUniforms(
-    program, context, context.Maps->GetViews()[context.Layer], context.Maps->GetResolution());
-  program->SetUniformi("depthMaps", context.Maps->GetTexture()->Activate());
-  program->SetUniformi("depthPyramid", context.Pyramid->GetTexture()->Activate());
-  program->SetUniformf("mapLayer", static_cast<float>(context.Layer));
+  services.SetReceiverUniforms(program);
+  services.SetMapUniforms(program);
+  program->SetUniformi("depthMaps", services.Maps->GetTexture()->Activate());
+  program->SetUniformi("depthPyramid", services.Pyramid->GetTexture()->Activate());
+  program->SetUniformf("mapLayer", static_cast<float>(services.Layer));
   // All taps of a light without extent are the same one.
-  const bool hasExtent = context.Emitter.HasExtent();
+  const bool hasExtent = services.Emitter.HasExtent();
   program->SetUniformi("searchWidth", hasExtent ? this->SearchWidth : 1);
   program->SetUniformi("filterWidth", hasExtent ? this->FilterWidth : 1);
   program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
@@ -66,33 +69,24 @@ vtkShaderProgram* vtkTwoKernelSoftShadowPass::UseStep(
 }
 
 //------------------------------------------------------------------------------
-void vtkTwoKernelSoftShadowPass::EndStep(const vtkSoftShadowContext& context)
+void vtkTwoKernelSoftShadowPass::EndStep(const vtkSoftShadowServices& services)
 {
-  context.Pyramid->GetTexture()->Deactivate();
-  context.Maps->GetTexture()->Deactivate();
-  context.Receivers->Deactivate();
+  services.Pyramid->GetTexture()->Deactivate();
+  services.Maps->GetTexture()->Deactivate();
+  services.Receivers->Deactivate();
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkTwoKernelSoftShadowPass::GetTechniqueBytes()
+void vtkTwoKernelSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
 {
-  vtkTypeInt64 bytes = 0;
   for (vtkShadowTextureArray* texture : this->GetTextures())
   {
-    bytes += texture->GetBytes();
+    statistics.BytesHeld += texture->GetBytes();
   }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-int vtkTwoKernelSoftShadowPass::GetTechniqueShaderBuilds()
-{
-  int builds = 0;
   for (vtkSeparableStep* step : this->GetSteps())
   {
-    builds += step->GetShader().GetNumberOfBuilds();
+    statistics.ShaderBuilds += step->GetShader().GetNumberOfBuilds();
   }
-  return builds;
 }
 
 //------------------------------------------------------------------------------

@@ -62,10 +62,9 @@ protected:
   vtkTwoKernelSoftShadowPass();
   ~vtkTwoKernelSoftShadowPass() override;
 
-  bool NeedsPyramid() const override { return true; }
-  bool HasGaussianWeights() const override;
-  vtkTypeInt64 GetTechniqueBytes() override;
-  int GetTechniqueShaderBuilds() override;
+  vtkSoftShadowRequirements GetRequirements() const override;
+  void AddStatistics(vtkSoftShadowStatistics& statistics) override;
+  bool HasGaussianWeights() const { return this->Weights == vtkShadowLightSampling::GAUSSIAN; }
 
   ///@{
   /// What a technique holds in a window.
@@ -74,7 +73,7 @@ protected:
   ///@}
 
   /// Makes the textures as large as the viewport. False if one cannot be had.
-  static bool Allocate(const vtkSoftShadowContext& context, int format,
+  static bool Allocate(const vtkSoftShadowServices& services, int format,
     const std::vector<vtkShadowTextureArray*>& textures);
 
   ///@{
@@ -82,8 +81,8 @@ protected:
    * Makes a step's program current, with its uniforms of receivers, map and kernels, or returns null;
    * EndStep unbinds what was bound.
    */
-  vtkShaderProgram* UseStep(vtkSeparableStep& step, const vtkSoftShadowContext& context);
-  static void EndStep(const vtkSoftShadowContext& context);
+  vtkShaderProgram* UseStep(vtkSeparableStep& step, const vtkSoftShadowServices& services);
+  static void EndStep(const vtkSoftShadowServices& services);
   ///@}
 
   /// What steps before the last draw into.

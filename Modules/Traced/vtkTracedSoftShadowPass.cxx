@@ -10,6 +10,7 @@
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 #include "vtkTracedLight.h"
 #include "vtkTracedPicture.h"
 #include "vtkTracedReceivers.h"
@@ -48,43 +49,33 @@ vtkTracedSoftShadowPass::vtkTracedSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkTracedSoftShadowPass::~vtkTracedSoftShadowPass()
-{
-  this->ReleaseBeforeDestruction();
-}
+vtkTracedSoftShadowPass::~vtkTracedSoftShadowPass() = default;
 
 //------------------------------------------------------------------------------
-bool vtkTracedSoftShadowPass::HasGaussianWeights() const
-{
-  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTracedSoftShadowPass::BeginVisibility(const vtkSoftShadowContext&)
+void vtkTracedSoftShadowPass::Begin(const vtkSoftShadowServices&)
 {
   this->Impl->HasFrame = false;
   this->Impl->Rays = 0;
-  return false;
 }
 
 //------------------------------------------------------------------------------
-bool vtkTracedSoftShadowPass::ReadFrame(const vtkSoftShadowContext& context)
+bool vtkTracedSoftShadowPass::ReadFrame(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  const bool smooth = context.Receivers->GetSmooth();
+  const bool smooth = services.Receivers->GetSmooth();
   if (impl.HasFrame && impl.IsSmooth == smooth)
   {
     return true;
   }
   impl.IsSmooth = smooth;
-  this->BeginStep("scene", true);
-  if (!impl.Scene.Update(context.Casters))
+  services.BeginStep("scene", true);
+  if (!impl.Scene.Update(services.Casters))
   {
     return false;
   }
   this->WarnOfUntraced();
-  this->BeginStep("reading", true);
-  impl.Receivers.Read(context.Receivers);
+  services.BeginStep("reading", true);
+  impl.Receivers.Read(services.Receivers);
   impl.Receivers.SetScene(impl.Scene);
   ++impl.Reads;
   impl.HasFrame = true;
@@ -115,84 +106,90 @@ std::string vtkTracedSoftShadowPass::GetCasterReport() const
 }
 
 //------------------------------------------------------------------------------
-void vtkTracedSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
+vtkSoftShadowRequirements vtkTracedSoftShadowPass::GetRequirements() const
+{
+  vtkSoftShadowRequirements requirements;
+  requirements.EmitterMap = false;
+  requirements.CutLights = false;
+  requirements.Proof = vtkSoftShadowRequirements::PROVES_NOTHING;
+  requirements.GaussianWeights = this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  return requirements;
+}
+
+//------------------------------------------------------------------------------
+void vtkTracedSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  if (!this->ReadFrame(context))
+  if (!this->ReadFrame(services))
   {
     return;
   }
-  this->BeginStep("rays", true);
+  services.BeginStep("rays", true);
   const vtkTracedLight light(
-    context.Emitter, context.FaceAxis, this->Weights, this->Rays, this->MostRays, impl.Scene);
-  const bool soft = context.Emitter.HasExtent();
-  impl.Picture.Trace(light, { this->Adaptive && soft, this->Filter && soft, this->EarlyOut });
+    services.Emitter, services.FaceAxis, this->Weights, this->Rays, this->MostRays, impl.Scene);
+  const bool soft = services.Emitter.HasExtent();
+  impl.Picture.Trace(light, { this->Adaptive && soft, this->Filter && soft, services.EarlyOut });
   impl.Rays += impl.Picture.GetRays();
-  this->BeginStep("upload");
-  this->Draw(context, context.Emitter.Weight);
-  this->BeginStep("visibility");
-  this->Count();
+  services.BeginStep("upload");
+  this->Draw(services, services.Emitter.Weight);
+  services.BeginStep("visibility");
+  this->Count(services);
 }
 
 //------------------------------------------------------------------------------
-bool vtkTracedSoftShadowPass::AddPointVisibility(
-  const vtkSoftShadowContext& context, const vtkShadowLightSampling::Sample& sample)
+bool vtkTracedSoftShadowPass::AddPoint(
+  const vtkSoftShadowServices& services, const vtkShadowLightSampling::Sample& sample)
 {
   Internals& impl = *this->Impl;
-  if (!this->ReadFrame(context))
+  if (!this->ReadFrame(services))
   {
     return false;
   }
-  const vtkTracedLight point(context.Emitter.PointAt(sample.U, sample.V, 1.0), context.FaceAxis,
+  const vtkTracedLight point(services.Emitter.PointAt(sample.U, sample.V, 1.0), services.FaceAxis,
     vtkShadowLightSampling::MEAN, 1, 1, impl.Scene);
-  impl.Picture.Trace(point, { false, false, this->EarlyOut });
+  impl.Picture.Trace(point, { false, false, services.EarlyOut });
   impl.Rays += impl.Picture.GetRays();
-  this->Count();
-  return this->Draw(context, context.Emitter.Weight * sample.Weight);
+  this->Count(services);
+  return this->Draw(services, services.Emitter.Weight * sample.Weight);
 }
 
 //------------------------------------------------------------------------------
-void vtkTracedSoftShadowPass::Count()
+void vtkTracedSoftShadowPass::Count(const vtkSoftShadowServices& services) const
 {
   const Internals& impl = *this->Impl;
   const vtkTracedScene::Counts& counts = impl.Scene.GetCounts();
-  this->ChangeStatistics().TechniqueCounts = { { "rays", impl.Rays },
-    { "receivers_read", impl.Reads }, { "bodies_built", counts.BodiesBuilt },
-    { "bodies_refitted", counts.BodiesRefitted }, { "scenes_built", counts.ScenesBuilt } };
+  services.SetCounts({ { "rays", impl.Rays }, { "receivers_read", impl.Reads },
+    { "bodies_built", counts.BodiesBuilt }, { "bodies_refitted", counts.BodiesRefitted },
+    { "scenes_built", counts.ScenesBuilt } });
 }
 
 //------------------------------------------------------------------------------
-bool vtkTracedSoftShadowPass::Draw(const vtkSoftShadowContext& context, double weight)
+bool vtkTracedSoftShadowPass::Draw(const vtkSoftShadowServices& services, double weight)
 {
   Internals& impl = *this->Impl;
   vtkShadowTextureArray* texture = impl.Visibilities;
-  if (!texture->Allocate(context.Window, vtkShadowTextureArray::R32F, impl.Receivers.GetWidth(),
+  if (!texture->Allocate(services.Window, vtkShadowTextureArray::R32F, impl.Receivers.GetWidth(),
         impl.Receivers.GetHeight(), 1) ||
-    !impl.Shader.Use(context.Window))
+    !impl.Shader.Use(services.Window))
   {
     return false;
   }
   texture->WriteLayer(0, impl.Picture.GetVisibilities().data());
   vtkShaderProgram* program = impl.Shader.GetProgram();
-  this->SetReceiverUniforms(program, context);
+  services.SetReceiverUniforms(program);
   program->SetUniformf("weight", static_cast<float>(weight));
   program->SetUniformi("visibilities", texture->Activate());
-  this->DrawFiltered(impl.Shader);
+  services.DrawMarked(impl.Shader);
   texture->Deactivate();
-  context.Receivers->Deactivate();
+  services.Receivers->Deactivate();
   return true;
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkTracedSoftShadowPass::GetTechniqueBytes()
+void vtkTracedSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
 {
-  return this->Impl->Visibilities->GetBytes() + this->Impl->Scene.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-int vtkTracedSoftShadowPass::GetTechniqueShaderBuilds()
-{
-  return this->Impl->Shader.GetNumberOfBuilds();
+  statistics.BytesHeld += this->Impl->Visibilities->GetBytes() + this->Impl->Scene.GetBytes();
+  statistics.ShaderBuilds += this->Impl->Shader.GetNumberOfBuilds();
 }
 
 //------------------------------------------------------------------------------
@@ -211,6 +208,8 @@ void vtkTracedSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Filter: " << (this->Filter ? "on" : "off") << "\n";
   os << indent << "Adaptive: " << (this->Adaptive ? "on" : "off") << "\n";
   os << indent << "MostRays: " << this->MostRays << "\n";
-  os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
+  os << indent
+     << "Weights: " << (this->Weights == vtkShadowLightSampling::GAUSSIAN ? "gaussian" : "mean")
+     << "\n";
 }
 VTK_ABI_NAMESPACE_END

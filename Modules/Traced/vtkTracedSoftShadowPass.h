@@ -91,16 +91,12 @@ protected:
   vtkTracedSoftShadowPass();
   ~vtkTracedSoftShadowPass() override;
 
-  bool BeginVisibility(const vtkSoftShadowContext& context) override;
-  void AddVisibility(const vtkSoftShadowContext& context) override;
-  bool AddPointVisibility(
-    const vtkSoftShadowContext& context, const vtkShadowLightSampling::Sample& point) override;
-  bool CutsLights() const override { return false; }
-  bool NeedsEmitterMap() const override { return false; }
-  int GetProof() const override { return PROVES_NOTHING; }
-  bool HasGaussianWeights() const override;
-  vtkTypeInt64 GetTechniqueBytes() override;
-  int GetTechniqueShaderBuilds() override;
+  vtkSoftShadowRequirements GetRequirements() const override;
+  void Begin(const vtkSoftShadowServices& services) override;
+  void Add(const vtkSoftShadowServices& services) override;
+  bool AddPoint(
+    const vtkSoftShadowServices& services, const vtkShadowLightSampling::Sample& point) override;
+  void AddStatistics(vtkSoftShadowStatistics& statistics) override;
 
   int Rays = 4;
   bool Filter = true;
@@ -115,10 +111,10 @@ private:
   class Internals;
   std::unique_ptr<Internals> Impl;
 
-  bool ReadFrame(const vtkSoftShadowContext& context);
+  bool ReadFrame(const vtkSoftShadowServices& services);
   void WarnOfUntraced();
-  bool Draw(const vtkSoftShadowContext& context, double weight);
-  void Count();
+  bool Draw(const vtkSoftShadowServices& services, double weight);
+  void Count(const vtkSoftShadowServices& services) const;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -21,6 +21,16 @@ vtkVirtualBlocks::vtkVirtualBlocks(
   const char* text, const vtkShadowShader::Definitions& definitions)
   : Text(vtkShadowShader::Compose(text, definitions))
   , BoundsShader(vtkVirtualBlockFS)
+  , Watch(
+      [this](vtkOpenGLRenderWindow*)
+      {
+        this->Program = nullptr;
+        if (this->VertexArray)
+        {
+          this->VertexArray->ReleaseGraphicsResources();
+          this->VertexArray = nullptr;
+        }
+      })
 {
   this->BoundsShader.SetDefinitions(
     { { "VIRTUAL_BLOCK", std::to_string(BlockSize) }, { "VIRTUAL_NOWHERE", "1e30" },
@@ -41,6 +51,7 @@ bool vtkVirtualBlocks::FindBounds(vtkOpenGLRenderWindow* window, vtkVirtualScree
   {
     return false;
   }
+  this->Watch.Enter(window);
   if (!this->VertexArray)
   {
     this->VertexArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
@@ -120,12 +131,7 @@ void vtkVirtualBlocks::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Bounds->ReleaseGraphicsResources(window);
   this->BoundsShader.ReleaseGraphicsResources(window);
-  this->Program = nullptr;
   this->Framebuffer.Release();
-  if (this->VertexArray)
-  {
-    this->VertexArray->ReleaseGraphicsResources();
-    this->VertexArray = nullptr;
-  }
+  this->Watch.Free();
 }
 VTK_ABI_NAMESPACE_END

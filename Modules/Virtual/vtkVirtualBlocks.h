@@ -12,12 +12,13 @@
 #ifndef vtkVirtualBlocks_h
 #define vtkVirtualBlocks_h
 
-#include "vtkNew.h"               // For members
-#include "vtkShadowFramebuffer.h" // For members
-#include "vtkShadowShader.h"      // For members
-#include "vtkSmartPointer.h"      // For members
-#include "vtkSoftShadowsABI.h"    // For the ABI namespace
-#include "vtkType.h"              // For bytes
+#include "vtkNew.h"                // For members
+#include "vtkShadowContextWatch.h" // For members
+#include "vtkShadowFramebuffer.h"  // For members
+#include "vtkShadowShader.h"       // For members
+#include "vtkSmartPointer.h"       // For members
+#include "vtkSoftShadowsABI.h"     // For the ABI namespace
+#include "vtkType.h"               // For bytes
 
 #include <string> // For the shader
 
@@ -69,6 +70,7 @@ private:
   vtkShadowFramebuffer Framebuffer;
   int Builds = 0;
   float BlockExtent[2] = { 0.0f, 0.0f }; // in clip coordinates
+  vtkShadowContextWatch Watch;           // of program and vertex array
 };
 
 VTK_ABI_NAMESPACE_END

@@ -37,6 +37,16 @@ vtkShadowShader::Definitions GridDefinitions()
 vtkVirtualGrid::vtkVirtualGrid()
   : DilateShader(vtkVirtualDilateFS)
   , PyramidShader(vtkVirtualPyramidFS)
+  , Watch(
+      [this](vtkOpenGLRenderWindow*)
+      {
+        this->PointProgram = nullptr;
+        if (this->VertexArray)
+        {
+          this->VertexArray->ReleaseGraphicsResources();
+          this->VertexArray = nullptr;
+        }
+      })
 {
   this->DilateShader.SetDefinitions(GridDefinitions());
 }
@@ -59,6 +69,7 @@ bool vtkVirtualGrid::Allocate(vtkOpenGLRenderWindow* window)
   {
     return false;
   }
+  this->Watch.Enter(window);
   if (!this->VertexArray)
   {
     this->DrawnInSoftware = vtkVirtualScreen::IsDrawnInSoftware();
@@ -214,12 +225,7 @@ void vtkVirtualGrid::ReleaseGraphicsResources(vtkWindow* window)
   this->Cells->ReleaseGraphicsResources(window);
   this->DilateShader.ReleaseGraphicsResources(window);
   this->PyramidShader.ReleaseGraphicsResources(window);
-  this->PointProgram = nullptr;
   this->Framebuffer.Release();
-  if (this->VertexArray)
-  {
-    this->VertexArray->ReleaseGraphicsResources();
-    this->VertexArray = nullptr;
-  }
+  this->Watch.Free();
 }
 VTK_ABI_NAMESPACE_END

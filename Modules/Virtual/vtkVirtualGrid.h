@@ -15,12 +15,13 @@
 #ifndef vtkVirtualGrid_h
 #define vtkVirtualGrid_h
 
-#include "vtkNew.h"               // For members
-#include "vtkShadowFramebuffer.h" // For members
-#include "vtkShadowShader.h"      // For members
-#include "vtkSmartPointer.h"      // For members
-#include "vtkSoftShadowsABI.h"    // For the ABI namespace
-#include "vtkType.h"              // For bytes
+#include "vtkNew.h"                // For members
+#include "vtkShadowContextWatch.h" // For members
+#include "vtkShadowFramebuffer.h"  // For members
+#include "vtkShadowShader.h"       // For members
+#include "vtkSmartPointer.h"       // For members
+#include "vtkSoftShadowsABI.h"     // For the ABI namespace
+#include "vtkType.h"               // For bytes
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -73,6 +74,7 @@ private:
   vtkShadowFramebuffer Framebuffer;
   int PointBuilds = 0;
   bool DrawnInSoftware = false;
+  vtkShadowContextWatch Watch; // of program and vertex array
 };
 
 VTK_ABI_NAMESPACE_END

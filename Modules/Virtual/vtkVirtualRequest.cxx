@@ -29,12 +29,30 @@ GLsizeiptr CountBytes()
 } // namespace
 
 //------------------------------------------------------------------------------
+vtkVirtualRequest::vtkVirtualRequest()
+  : Watch(
+      [this](vtkOpenGLRenderWindow*)
+      {
+        if (this->Fence)
+        {
+          glDeleteSync(static_cast<GLsync>(this->Fence));
+          this->Fence = nullptr;
+        }
+        glDeleteBuffers(1, &this->PixelBuffer);
+        this->PixelBuffer = 0;
+        this->Wishes.clear();
+      })
+{
+}
+
+//------------------------------------------------------------------------------
 vtkVirtualRequest::~vtkVirtualRequest() = default;
 
 //------------------------------------------------------------------------------
 void vtkVirtualRequest::Start(vtkOpenGLRenderWindow* window, vtkShadowTextureArray* cells,
   const vtkShadowMapView& view, vtkTypeInt64 state)
 {
+  this->Watch.Enter(window);
   const vtkShadowScopedPixelStore pixelStore;
   if (!this->PixelBuffer)
   {
@@ -109,21 +127,5 @@ bool vtkVirtualRequest::Take()
     this->HeldState = this->SentState;
   }
   return data != nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkVirtualRequest::ReleaseGraphicsResources()
-{
-  if (this->Fence)
-  {
-    glDeleteSync(static_cast<GLsync>(this->Fence));
-    this->Fence = nullptr;
-  }
-  if (this->PixelBuffer)
-  {
-    glDeleteBuffers(1, &this->PixelBuffer);
-    this->PixelBuffer = 0;
-  }
-  this->Wishes.clear();
 }
 VTK_ABI_NAMESPACE_END

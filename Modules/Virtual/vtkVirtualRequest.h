@@ -12,10 +12,11 @@
 #ifndef vtkVirtualRequest_h
 #define vtkVirtualRequest_h
 
-#include "vtkShadowMapView.h"   // For views
-#include "vtkSoftShadowsABI.h"  // For the ABI namespace
-#include "vtkType.h"            // For states
-#include "vtkVirtualTileTree.h" // For the pyramid
+#include "vtkShadowContextWatch.h" // For members
+#include "vtkShadowMapView.h"      // For views
+#include "vtkSoftShadowsABI.h"     // For the ABI namespace
+#include "vtkType.h"               // For states
+#include "vtkVirtualTileTree.h"    // For the pyramid
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -24,7 +25,7 @@ class vtkShadowTextureArray;
 class vtkVirtualRequest
 {
 public:
-  vtkVirtualRequest() = default;
+  vtkVirtualRequest();
   ~vtkVirtualRequest();
   vtkVirtualRequest(const vtkVirtualRequest&) = delete;
   vtkVirtualRequest& operator=(const vtkVirtualRequest&) = delete;
@@ -58,8 +59,8 @@ public:
     return !this->Wishes.empty() && this->HeldView == view;
   }
 
-  /// Needs the context of Start.
-  void ReleaseGraphicsResources();
+  /// Forgets all, also what was taken. The window's end and the destructor do so by themselves.
+  void ReleaseGraphicsResources() { this->Watch.Free(); }
 
 private:
   bool Take();
@@ -71,6 +72,7 @@ private:
   vtkTypeInt64 SentState = -1;
   void* Fence = nullptr; // a GLsync
   unsigned int PixelBuffer = 0;
+  vtkShadowContextWatch Watch;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -3,12 +3,32 @@
 #include "vtkVirtualSoftShadowPass.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkVirtualSoftShadowPassInternals.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShadowScopedTarget.h"
+#include "vtkSoftShadowServices.h"
+#include "vtkVirtualDrawing.h"
+#include "vtkVirtualEmitter.h"
+#include "vtkVirtualPlanner.h"
+#include "vtkVirtualSettings.h"
 
 #include <algorithm>
+#include <map>
+#include <sstream>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkVirtualSoftShadowPass);
+
+//------------------------------------------------------------------------------
+class vtkVirtualSoftShadowPass::Internals
+{
+public:
+  using Key = std::pair<int, int>; // light and part
+
+  std::map<Key, vtkVirtualEmitter> Emitters;
+  vtkVirtualPlanner Planner;
+  vtkVirtualDrawing Drawing;
+};
 
 //------------------------------------------------------------------------------
 vtkVirtualSoftShadowPass::vtkVirtualSoftShadowPass()
@@ -18,95 +38,184 @@ vtkVirtualSoftShadowPass::vtkVirtualSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualSoftShadowPass::~vtkVirtualSoftShadowPass()
+vtkVirtualSoftShadowPass::~vtkVirtualSoftShadowPass() = default;
+
+//------------------------------------------------------------------------------
+vtkSoftShadowRequirements vtkVirtualSoftShadowPass::GetRequirements() const
 {
-  this->ReleaseBeforeDestruction();
+  vtkSoftShadowRequirements requirements;
+  requirements.EmitterMapSize = this->SearchMapSize;
+  requirements.ConservativeMap = true;
+  requirements.Pyramid = true;
+  // The kernel shapes prove pixels lit themselves, footprint included; holes that a conservative
+  // map closes forbid to prove them blocked.
+  requirements.Proof = vtkSoftShadowRequirements::PROVES_NOTHING;
+  requirements.GaussianWeights = this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  requirements.Preparation = this->Adaptive;
+  return requirements;
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualSoftShadowPass::AddVisibility(const vtkSoftShadowContext& context)
+vtkVirtualSettings vtkVirtualSoftShadowPass::GetSettings() const
+{
+  vtkVirtualSettings settings;
+  settings.SearchMapSize = this->SearchMapSize;
+  settings.Adaptive = this->Adaptive;
+  settings.FixedLevels = this->FixedLevels;
+  settings.Antialiasing = this->Antialiasing;
+  settings.Metric = this->Metric;
+  settings.GaussianWeights = this->Weights == vtkShadowLightSampling::GAUSSIAN;
+  settings.Quality = this->Quality;
+  settings.SearchWidth = this->SearchWidth;
+  settings.MaximumTiles = this->MaximumTiles;
+  settings.GridLatency = this->GridLatency;
+  settings.DebugView = this->DebugView;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualSoftShadowPass::Begin(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  vtkVirtualEmitterState& emitter = impl.Emitters[Internals::Key(context.Light, context.Part)];
-  impl.Current = &emitter;
+  impl.Planner.Begin(services);
+  for (auto iterator = impl.Emitters.begin(); iterator != impl.Emitters.end();)
   {
-    const vtkVirtualScopedTarget target(context.Window->GetState());
-    if (!this->RequestEmitter(context, emitter))
+    vtkVirtualEmitter& emitter = iterator->second;
+    if (emitter.IsShown)
+    {
+      emitter.IsShown = false;
+      ++iterator;
+    }
+    else
+    {
+      emitter.ReleaseGraphicsResources(services.Window);
+      iterator = impl.Emitters.erase(iterator);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualSoftShadowPass::Prepare(const vtkSoftShadowServices& services)
+{
+  Internals& impl = *this->Impl;
+  impl.Planner.Prepare(services, this->GetSettings(),
+    impl.Emitters[Internals::Key(services.Light, services.Part)], impl.Drawing);
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualSoftShadowPass::Add(const vtkSoftShadowServices& services)
+{
+  Internals& impl = *this->Impl;
+  vtkVirtualEmitter& emitter = impl.Emitters[Internals::Key(services.Light, services.Part)];
+  const vtkVirtualSettings settings = this->GetSettings();
+  {
+    const vtkShadowScopedTarget target(services.Window->GetState());
+    if (!impl.Planner.Request(services, settings, emitter, impl.Drawing))
     {
       return;
     }
-    this->BeginStep("tile maps");
-    this->BakeTiles(context);
-    this->BeginStep("filtering");
-    this->DrawTiles(context);
+    services.BeginStep("tile maps");
+    impl.Planner.BakeTiles(services, settings, emitter);
+    services.BeginStep("filtering");
+    impl.Drawing.DrawTiles(services, settings, emitter);
   }
-  this->ChangeStatistics().TechniqueCounts = { { "tiles", this->GetNumberOfTiles() },
-    { "tile_kilotexels", this->GetTileTexels() / 1000 }, { "grid_waits", impl.Waits },
-    { "late_grids", impl.Late } };
-  this->Resolve(context);
-  this->BeginStep("visibility");
+  services.SetCounts(
+    { { "tiles", this->GetNumberOfTiles() }, { "tile_kilotexels", this->GetTileTexels() / 1000 },
+      { "grid_waits", impl.Planner.GetWaits() }, { "late_grids", impl.Planner.GetLate() } });
+  impl.Drawing.Resolve(services, settings, emitter);
+  services.BeginStep("visibility");
 }
 
 //------------------------------------------------------------------------------
-bool vtkVirtualSoftShadowPass::RequestEmitter(
-  const vtkSoftShadowContext& context, vtkVirtualEmitterState& emitter)
-{
-  Internals& impl = *this->Impl;
-  const bool isPrepared =
-    std::find(impl.Prepared.begin(), impl.Prepared.end(), &emitter) != impl.Prepared.end();
-  if (!isPrepared && !this->TakeShapes(context, emitter, impl.Spare))
-  {
-    return false;
-  }
-  this->BeginStep("tile planning");
-  bool done = true;
-  if (this->Adaptive && !isPrepared)
-  {
-    done = this->RequestTiles(context, { &emitter }, { Internals::GetView(context) });
-  }
-  else if (this->Adaptive && !impl.IsRequested)
-  {
-    impl.IsRequested = true;
-    done = this->RequestTiles(context, impl.Prepared, impl.PreparedViews);
-  }
-  return done && (!this->Adaptive || !emitter.Request.GetWishes().empty());
-}
-
-//------------------------------------------------------------------------------
-bool vtkVirtualSoftShadowPass::HasGaussianWeights() const
-{
-  return this->Weights == vtkShadowLightSampling::GAUSSIAN;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkVirtualSoftShadowPass::GetTechniqueBytes()
+bool vtkVirtualSoftShadowPass::WantsVisibilityAnew()
 {
   const Internals& impl = *this->Impl;
-  vtkTypeInt64 bytes = impl.Spare.GetBytes() + impl.Sums.GetBytes() + impl.Grid.GetBytes() +
-    impl.TileShader->GetBytes();
-  for (const auto& screen : impl.Screens)
+  return this->Adaptive && this->GridLatency > 0 &&
+    (impl.Planner.IsOwed() ||
+      std::any_of(impl.Emitters.begin(), impl.Emitters.end(),
+        [](const std::pair<const Internals::Key, vtkVirtualEmitter>& emitter)
+        {
+          return emitter.second.IsShown && emitter.second.IsLate &&
+            emitter.second.Request.HasArrived();
+        }));
+}
+
+//------------------------------------------------------------------------------
+int vtkVirtualSoftShadowPass::GetNumberOfTiles() const
+{
+  size_t tiles = 0;
+  for (const auto& emitter : this->Impl->Emitters)
   {
-    bytes += screen->GetBytes();
+    tiles += emitter.second.IsShown ? emitter.second.Tree.GetTiles().size() : 0;
   }
+  return static_cast<int>(tiles);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkVirtualSoftShadowPass::GetTileTexels() const
+{
+  double texels = 0.0;
+  for (const auto& emitter : this->Impl->Emitters)
+  {
+    texels += emitter.second.IsShown ? emitter.second.Tree.GetTexels() : 0.0;
+  }
+  return static_cast<vtkTypeInt64>(texels);
+}
+
+//------------------------------------------------------------------------------
+double vtkVirtualSoftShadowPass::GetCoarsening() const
+{
+  double coarsening = 1.0;
+  for (const auto& emitter : this->Impl->Emitters)
+  {
+    if (emitter.second.IsShown)
+    {
+      coarsening = std::max(coarsening, emitter.second.Tree.GetCoarsening());
+    }
+  }
+  return coarsening;
+}
+
+//------------------------------------------------------------------------------
+double vtkVirtualSoftShadowPass::GetLatencyExcess() const
+{
+  return this->Impl->Planner.GetExcess();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVirtualSoftShadowPass::GetTileReport() const
+{
+  std::ostringstream report;
+  for (const auto& emitter : this->Impl->Emitters)
+  {
+    if (!emitter.second.IsShown)
+    {
+      continue;
+    }
+    const vtkVirtualTileTree& tree = emitter.second.Tree;
+    report << "light " << emitter.first.first << " part " << emitter.first.second << ": "
+           << tree.GetTiles().size() << " tiles, " << static_cast<vtkTypeInt64>(tree.GetTexels())
+           << " texels, coarser than predicted by " << tree.GetCoarsening() << "\n";
+    for (const vtkVirtualTile& tile : tree.GetTiles())
+    {
+      report << "  cells " << tile.X << " " << tile.Y << " size " << tile.Width << " x "
+             << tile.Height << ": " << tile.Resolution << "\n";
+    }
+  }
+  return report.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
+{
+  const Internals& impl = *this->Impl;
+  statistics.BytesHeld += impl.Planner.GetBytes() + impl.Drawing.GetBytes();
   for (const auto& emitter : impl.Emitters)
   {
-    bytes += emitter.second.Maps.GetBytes();
+    statistics.BytesHeld += emitter.second.Maps.GetBytes();
   }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkVirtualSoftShadowPass::GetTechniqueDrawCalls()
-{
-  return this->Impl->DrawCalls;
-}
-
-//------------------------------------------------------------------------------
-int vtkVirtualSoftShadowPass::GetTechniqueShaderBuilds()
-{
-  const Internals& impl = *this->Impl;
-  return impl.ShapeShader->GetNumberOfBuilds() + impl.TileShader->GetNumberOfBuilds() +
-    impl.ResolveShader->GetNumberOfBuilds() + impl.Grid.GetNumberOfBuilds();
+  statistics.DrawCalls += impl.Planner.GetNumberOfDrawCalls();
+  statistics.ShaderBuilds += impl.Planner.GetNumberOfBuilds() + impl.Drawing.GetNumberOfBuilds();
 }
 
 //------------------------------------------------------------------------------
@@ -114,23 +223,11 @@ void vtkVirtualSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& impl = *this->Impl;
-  impl.ShapeShader->ReleaseGraphicsResources(window);
-  impl.TileShader->ReleaseGraphicsResources(window);
-  impl.ResolveShader->ReleaseGraphicsResources(window);
-  for (auto& screen : impl.Screens)
-  {
-    screen->ReleaseGraphicsResources(window);
-  }
-  impl.Screens.clear();
-  impl.Prepared.clear();
-  impl.PreparedViews.clear();
-  impl.Spare.ReleaseGraphicsResources(window);
-  impl.Sums.ReleaseGraphicsResources(window);
-  impl.Grid.ReleaseGraphicsResources(window);
+  impl.Drawing.ReleaseGraphicsResources(window);
+  impl.Planner.ReleaseGraphicsResources(window);
   for (auto& emitter : impl.Emitters)
   {
-    emitter.second.Maps.ReleaseGraphicsResources(window);
-    emitter.second.Request.ReleaseGraphicsResources();
+    emitter.second.ReleaseGraphicsResources(window);
   }
   impl.Emitters.clear();
 }
@@ -146,7 +243,9 @@ void vtkVirtualSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FixedLevels: " << this->FixedLevels << "\n";
   os << indent << "Antialiasing: " << (this->Antialiasing ? "on" : "off") << "\n";
   os << indent << "Metric: " << metrics[this->Metric] << "\n";
-  os << indent << "Weights: " << (this->HasGaussianWeights() ? "gaussian" : "mean") << "\n";
+  os << indent
+     << "Weights: " << (this->Weights == vtkShadowLightSampling::GAUSSIAN ? "gaussian" : "mean")
+     << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "SearchWidth: " << this->SearchWidth << "\n";
   os << indent << "GridLatency: " << this->GridLatency << "\n";

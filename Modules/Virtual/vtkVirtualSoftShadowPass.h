@@ -41,11 +41,10 @@
 #include "vtkSoftShadowsABI.h" // For the ABI namespace
 
 #include <memory> // For the implementation
-#include <vector> // For emitters
+#include <string> // For the report
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkVirtualScreen;
-struct vtkVirtualEmitterState;
+struct vtkVirtualSettings;
 
 class VTKRENDERINGSOFTSHADOWSVIRTUAL_EXPORT vtkVirtualSoftShadowPass : public vtkSoftShadowPass
 {
@@ -206,20 +205,12 @@ protected:
   vtkVirtualSoftShadowPass();
   ~vtkVirtualSoftShadowPass() override;
 
-  bool BeginVisibility(const vtkSoftShadowContext& context) override;
-  void PrepareVisibility(const vtkSoftShadowContext& context) override;
-  void AddVisibility(const vtkSoftShadowContext& context) override;
+  vtkSoftShadowRequirements GetRequirements() const override;
+  void Begin(const vtkSoftShadowServices& services) override;
+  void Prepare(const vtkSoftShadowServices& services) override;
+  void Add(const vtkSoftShadowServices& services) override;
   bool WantsVisibilityAnew() override;
-  int GetEmitterMapSize() const override { return this->SearchMapSize; }
-  bool NeedsConservativeMaps() const override { return true; }
-  bool NeedsPyramid() const override { return true; }
-  /// The kernel shapes prove pixels lit themselves, footprint included; holes that a conservative
-  /// map closes forbid to prove them blocked.
-  int GetProof() const override { return PROVES_NOTHING; }
-  bool HasGaussianWeights() const override;
-  vtkTypeInt64 GetTechniqueBytes() override;
-  vtkTypeInt64 GetTechniqueDrawCalls() override;
-  int GetTechniqueShaderBuilds() override;
+  void AddStatistics(vtkSoftShadowStatistics& statistics) override;
 
   int SearchMapSize = 1024;
   bool Adaptive = true;
@@ -237,18 +228,7 @@ private:
   vtkVirtualSoftShadowPass(const vtkVirtualSoftShadowPass&) = delete;
   void operator=(const vtkVirtualSoftShadowPass&) = delete;
 
-  bool TakeShapes(
-    const vtkSoftShadowContext& context, vtkVirtualEmitterState& emitter, vtkVirtualScreen& screen);
-  bool DrawShapes(const vtkSoftShadowContext& context, const vtkVirtualEmitterState& emitter);
-  bool RequestEmitter(const vtkSoftShadowContext& context, vtkVirtualEmitterState& emitter);
-  bool RequestTiles(const vtkSoftShadowContext& context,
-    const std::vector<vtkVirtualEmitterState*>& emitters,
-    const std::vector<vtkShadowMapView>& views);
-  void LookBack(const vtkVirtualEmitterState& emitter);
-  void PlanTiles(const vtkSoftShadowContext& context, double mostTexels);
-  void BakeTiles(const vtkSoftShadowContext& context);
-  void DrawTiles(const vtkSoftShadowContext& context);
-  void Resolve(const vtkSoftShadowContext& context);
+  vtkVirtualSettings GetSettings() const;
 
   class Internals;
   std::unique_ptr<Internals> Impl;

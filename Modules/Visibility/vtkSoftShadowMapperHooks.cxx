@@ -4,12 +4,14 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowShader.h"
+#include "vtkSoftShadowLights.h"
 
 #include "vtkSoftShadowMapperBend.h"
 #include "vtkSoftShadowMapperDec.h"
@@ -107,6 +109,18 @@ std::string ReceiveDefinitions(const std::string& fragmentShader)
   return MovesDepth(fragmentShader) ? "#define SOFT_SHADOW_MOVED_DEPTH\n" : "";
 }
 } // namespace
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowMapperHooks::SetLights(const vtkSoftShadowLights& lights)
+{
+  this->Layers.clear();
+  this->Attenuations.clear();
+  for (const vtkSoftShadowLights::LitLight& lit : lights)
+  {
+    this->Layers.push_back(lit.Layer);
+    this->Attenuations.push_back(std::min(std::max(0.0f, lit.Light->GetShadowAttenuation()), 1.0f));
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkSoftShadowMapperHooks::SetCamera(vtkRenderer* renderer)

@@ -32,6 +32,7 @@ class vtkProp;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkShadowCasters;
+class vtkSoftShadowLights;
 
 class vtkSoftShadowMapperHooks
 {
@@ -48,6 +49,9 @@ public:
   std::vector<int> Layers;         // per lit light, in the renderer's order
   std::vector<float> Attenuations; // per lit light: vtkLight::ShadowAttenuation, within [0, 1]
   ///@}
+
+  /// Takes over the lights.
+  void SetLights(const vtkSoftShadowLights& lights);
 
   /// Takes over the projection.
   void SetCamera(vtkRenderer* renderer);

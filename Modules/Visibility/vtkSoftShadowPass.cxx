@@ -3,24 +3,27 @@
 #include "vtkSoftShadowPass.h"
 
 #include "vtkAbstractMapper.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
-#include "vtkRenderer.h"
+#include "vtkShadowContextWatch.h"
 #include "vtkShadowFailures.h"
 #include "vtkShadowLimits.h"
 #include "vtkShadowMapFitter.h"
 #include "vtkShadowTextureArray.h"
-#include "vtkSoftShadowPassInternals.h"
+#include "vtkShadowTextureUnit.h"
+#include "vtkSoftShadowDrawnMappers.h"
+#include "vtkSoftShadowImages.h"
+#include "vtkSoftShadowMapperHooks.h"
 #include "vtkSoftShadowRendererDuties.h"
 #include "vtkSoftShadowScopedState.h"
+#include "vtkSoftShadowSignature.h"
+#include "vtkSoftShadowVisibilities.h"
 #include "vtkSoftShadowsOpenGL.h"
-#include "vtkTextureUnitManager.h"
 
-#include <algorithm>
-#include <cstdint>
+#include <set>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -32,48 +35,45 @@ vtkOpenGLRenderWindow* GetWindow(const vtkRenderState* s)
   return static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
 }
 
-// VTK takes one of its own for a moment whenever it makes a texture.
-bool HasTextureUnit(vtkOpenGLRenderWindow* window)
-{
-  vtkTextureUnitManager* units = window->GetState()->GetTextureUnitManager();
-  const int unit = units->Allocate();
-  if (unit >= 0)
-  {
-    units->Free(unit);
-  }
-  return unit >= 0;
-}
-
 } // namespace
 
 vtkCxxSetObjectMacro(vtkSoftShadowPass, DelegatePass, vtkRenderPass);
 
 //------------------------------------------------------------------------------
-// While one lives, maps are at most as large as this OpenGL's textures.
-class vtkSoftShadowPass::ScopedMapSize
+// What a pass keeps from frame to frame.
+class vtkSoftShadowPass::Internals
 {
 public:
-  explicit ScopedMapSize(vtkSoftShadowPass* pass)
-    : Pass(pass)
-    , Wanted(pass->MapSize)
+  explicit Internals(vtkSoftShadowPass* pass)
+    : Watch([pass](vtkOpenGLRenderWindow* window) { pass->ReleaseGraphicsResources(window); })
+    , Visibilities(*pass)
   {
-    const int largest = vtkShadowLimits::GetTextureSize();
-    if (this->Wanted > largest && pass->Impl->ToldMapSize != this->Wanted)
-    {
-      pass->Impl->ToldMapSize = this->Wanted;
-      vtkWarningWithObjectMacro(pass,
-        "Depth maps have " << largest << " texels along an edge, not " << this->Wanted
-                           << ": this OpenGL allows no more.");
-    }
-    pass->MapSize = std::min(this->Wanted, largest);
   }
-  ~ScopedMapSize() { this->Pass->MapSize = this->Wanted; }
-  ScopedMapSize(const ScopedMapSize&) = delete;
-  void operator=(const ScopedMapSize&) = delete;
 
-private:
-  vtkSoftShadowPass* Pass;
-  int Wanted;
+  /// Of the window whose context holds the resources.
+  vtkShadowContextWatch Watch;
+
+  static vtkSoftShadowVisibilities::Settings GetSettings(const vtkSoftShadowPass* pass);
+
+  // What is read back lies in the window of the last frame, whichever has rendered or died since.
+  void MakeCurrent()
+  {
+    if (this->Watch.GetWindow())
+    {
+      this->Watch.GetWindow()->MakeCurrent();
+    }
+  }
+
+  vtkSoftShadowVisibilities Visibilities;
+  vtkSoftShadowMapperHooks Hooks;
+  vtkSoftShadowDrawnMappers ReceiverMappers; // of the visibility that is held
+  vtkSoftShadowDrawnMappers ShadingMappers;
+  vtkSoftShadowDrawnMappers* Drawn = nullptr; // one of them while it is drawn
+  vtkSoftShadowSignature Signature;           // of the visibility that is held
+  vtkSoftShadowSignature NextSignature;       // of the frame at hand
+  int Viewport[4] = { 0, 0, 0, 0 };
+  std::set<std::string> ToldMappers; // whose programs take no shadows
+  bool WarnedOfRange = false;
 };
 
 //------------------------------------------------------------------------------
@@ -85,14 +85,8 @@ vtkSoftShadowPass::vtkSoftShadowPass()
 //------------------------------------------------------------------------------
 vtkSoftShadowPass::~vtkSoftShadowPass()
 {
-  this->ReleaseBeforeDestruction();
-  this->SetDelegatePass(nullptr);
-}
-
-//------------------------------------------------------------------------------
-void vtkSoftShadowPass::ReleaseBeforeDestruction()
-{
   this->Impl->Watch.Free();
+  this->SetDelegatePass(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -102,8 +96,7 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
   Internals& impl = *this->Impl;
   vtkOpenGLRenderWindow* window = GetWindow(s);
   impl.Watch.Enter(window); // one pass for two windows: nothing can move from one to the other
-  const ScopedMapSize mapSize(this);
-  impl.Renderer = s->GetRenderer();
+  this->Warn({ impl.Visibilities.Begin(s->GetRenderer(), Internals::GetSettings(this)) });
   vtkSoftShadowRendererDuties::UpdateStereo(s->GetRenderer());
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, impl.Viewport);
@@ -114,17 +107,17 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
     !s->GetRenderer()->GetSelector() && impl.Viewport[2] > 0 && impl.Viewport[3] > 0;
   if (!shadows)
   {
-    impl.Hooks.Layers.assign(impl.Lights.size(), -1);
+    impl.Hooks.Layers.assign(impl.Visibilities.GetLights().GetNumberOfLights(), -1);
   }
   // Props without property keys get empty ones, as from VTK's own passes. They stay: to take them away
   // again would tell everyone, in every frame, that the prop has changed.
   this->PreRender(s);
   if (shadows)
   {
-    ++impl.Statistics.Frames;
-    impl.Timers.BeginFrame();
+    ++impl.Visibilities.GetStatistics().Frames;
+    impl.Visibilities.GetTimers().BeginFrame();
     this->UpdateVisibility(s);
-    impl.Timers.BeginStep("shading");
+    impl.Visibilities.GetTimers().BeginStep("shading");
   }
   this->Shade(s);
   if (shadows && impl.ShadingMappers.Contradicts(impl.ReceiverMappers))
@@ -134,61 +127,42 @@ void vtkSoftShadowPass::Render(const vtkRenderState* s)
     impl.Signature.Clear();
     this->CollectLights(s);
     this->UpdateVisibility(s);
-    impl.Timers.BeginStep("shading");
+    impl.Visibilities.GetTimers().BeginStep("shading");
     this->Shade(s);
   }
-  impl.Timers.EndFrame();
+  impl.Visibilities.GetTimers().EndFrame();
   this->PostRender(s);
-  if (impl.HasNews)
+  if (impl.Visibilities.TakeNews())
   {
-    impl.HasNews = false;
     this->InvokeEvent(ConvergedEvent);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkSoftShadowVisibilities::Settings vtkSoftShadowPass::Internals::GetSettings(
+  const vtkSoftShadowPass* pass)
+{
+  vtkSoftShadowVisibilities::Settings settings;
+  settings.MapSize = pass->MapSize;
+  settings.Split = pass->Split;
+  settings.EarlyOut = pass->EarlyOut;
+  settings.MapMemory = static_cast<vtkTypeInt64>(pass->MapMemory) << 20;
+  settings.Points = pass->ProgressivePoints;
+  settings.Tolerance = pass->ProgressiveTolerance;
+  settings.Progressive = pass->Progressive;
+  return settings;
 }
 
 //------------------------------------------------------------------------------
 void vtkSoftShadowPass::CollectLights(const vtkRenderState* s)
 {
   Internals& impl = *this->Impl;
-  impl.Lights.clear();
-  impl.Hooks.Layers.clear();
-  impl.Hooks.Attenuations.clear();
-  vtkLightCollection* lights = s->GetRenderer()->GetLights();
-  vtkCollectionSimpleIterator iterator;
-  lights->InitTraversal(iterator);
-  const int mostLayers = vtkShadowLimits::GetTextureLayers();
-  int layers = 0;
-  int firstWithout = -1;
-  while (vtkLight* light = lights->GetNextLight(iterator))
-  {
-    if (!light->GetSwitch())
-    {
-      continue; // mappers number lit lights only
-    }
-    Internals::LitLight lit;
-    lit.Light = light;
-    lit.Casts = vtkShadowEmitter::FromLight(light, lit.Emitter, lit.Reason);
-    if (lit.Casts && layers == mostLayers)
-    {
-      lit.Casts = false;
-      firstWithout = firstWithout < 0 ? static_cast<int>(impl.Lights.size()) : firstWithout;
-      lit.Reason =
-        "this OpenGL has no more than " + std::to_string(layers) + " layers of a texture";
-    }
-    lit.Layer = lit.Casts ? layers++ : -1;
-    impl.Hooks.Layers.push_back(lit.Layer);
-    impl.Hooks.Attenuations.push_back(
-      std::min(std::max(0.0f, light->GetShadowAttenuation()), 1.0f));
-    impl.Lights.push_back(lit);
-  }
-  impl.Statistics.LightsLit = static_cast<int>(impl.Lights.size());
-  impl.Statistics.LightsCasting = layers;
-  if (firstWithout >= 0 && !impl.ToldLayers)
-  {
-    vtkWarningMacro("Light " << firstWithout << " is shown without shadows: "
-                             << impl.Lights[firstWithout].Reason << ".");
-  }
-  impl.ToldLayers = firstWithout >= 0;
+  const std::string news = impl.Visibilities.GetLights().Collect(s->GetRenderer());
+  impl.Hooks.SetLights(impl.Visibilities.GetLights());
+  impl.Visibilities.GetStatistics().LightsLit = impl.Visibilities.GetLights().GetNumberOfLights();
+  impl.Visibilities.GetStatistics().LightsCasting =
+    impl.Visibilities.GetLights().GetNumberOfCasting();
+  this->Warn({ news });
 }
 
 //------------------------------------------------------------------------------
@@ -201,16 +175,14 @@ void vtkSoftShadowPass::DrawOpaque(const vtkRenderState* s)
 void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
 {
   Internals& impl = *this->Impl;
-  impl.Timers.BeginStep("casters", true);
-  impl.Casters->Update(s->GetRenderer());
-  const vtkShadowMapFitter fitter(impl.Casters->GetBodies());
-  for (Internals::LitLight& light : impl.Lights)
-  {
-    light.Emitter = light.Casts ? fitter.SeeFromAfar(light.Emitter) : light.Emitter;
-  }
+  vtkSoftShadowVisibilities& visibilities = impl.Visibilities;
+  visibilities.GetTimers().BeginStep("casters", true);
+  visibilities.GetCasters()->Update(s->GetRenderer());
+  visibilities.GetLights().SeeFromAfar(vtkShadowMapFitter(visibilities.GetCasters()->GetBodies()));
   const bool anew = this->WantsVisibilityAnew();
-  const bool changed = this->SignatureChanged(s) || impl.Losses.IsRetryDue();
-  const bool begun = impl.Schedule.IsStarted() || impl.Schedule.IsEnded();
+  const bool changed = this->SignatureChanged(s) || visibilities.GetLosses().IsRetryDue();
+  const vtkSoftShadowSchedule& schedule = visibilities.GetSchedule();
+  const bool begun = schedule.IsStarted() || schedule.IsEnded();
   if (changed || (anew && !begun))
   {
     this->EstimateVisibility(s, changed);
@@ -219,90 +191,60 @@ void vtkSoftShadowPass::UpdateVisibility(const vtkRenderState* s)
   {
     const vtkSoftShadowScopedState scope(GetWindow(s));
     impl.Hooks.VisibilityUnit = scope.GetFreeUnit(); // as for an estimate
-    impl.Timers.BeginStep("refinement");
-    this->Refine(s);
+    visibilities.GetTimers().BeginStep("refinement");
+    this->Warn(visibilities.Refine());
   }
-  this->HideLostLights();
+  visibilities.GetLights().Hide(visibilities.GetLosses());
+  impl.Hooks.SetLights(visibilities.GetLights());
 }
 
 //------------------------------------------------------------------------------
 void vtkSoftShadowPass::EstimateVisibility(const vtkRenderState* s, bool changed)
 {
   Internals& impl = *this->Impl;
+  vtkSoftShadowVisibilities& visibilities = impl.Visibilities;
   vtkOpenGLRenderWindow* window = GetWindow(s);
-  if (impl.Losses.HasAny())
+  if (visibilities.GetLosses().HasAny())
   {
     // Nothing half made stays, and what is held may be what there was no memory for.
     impl.Watch.Free();
     impl.Watch.Enter(window);
   }
-  impl.Schedule.Reset();
-  impl.Refinements = 0;
-  impl.Data.IsKnown = false;
-  if (!impl.Data.IsWanted)
-  {
-    impl.ReleaseData(GetWindow(s)); // nobody reads it any more
-  }
-  impl.Data.IsWanted = false;
-  impl.HasNews = false; // of a mean that is thrown away
-  if (!this->Progressive)
-  {
-    this->ReleaseProgress(window);
-  }
+  visibilities.Restart(window);
   const vtkSoftShadowScopedState scope(window);
   // The mappers' programs sample the visibility. Where they bake or draw receivers it is not read, but
   // its sampler must not share a unit with a sampler of another type: OpenGL draws nothing then.
   impl.Hooks.VisibilityUnit = scope.GetFreeUnit();
-  impl.Losses.Begin(impl.Statistics.LightsCasting);
-  impl.Timers.BeginStep("maps");
-  this->BakeMaps(s);
-  impl.Timers.BeginStep("receivers");
+  vtkSoftShadowTimers& timers = visibilities.GetTimers();
+  timers.BeginStep("maps");
+  if (visibilities.BakeMaps() > 0 && !impl.WarnedOfRange)
+  {
+    impl.WarnedOfRange = true;
+    vtkWarningMacro("Some shadows near lights are lost:\n" << this->GetLightReport());
+  }
+  timers.BeginStep("receivers");
   const bool received = this->DrawReceivers(s);
-  impl.Timers.BeginStep("visibility");
-  impl.Statistics.TechniqueCounts.clear();
+  timers.BeginStep("visibility");
   if (received)
   {
-    this->EstimateLights(s, changed);
+    visibilities.Estimate(changed);
   }
-  this->WarnOfLosses();
-  impl.Losses.End();
+  vtkSoftShadowLosses& losses = visibilities.GetLosses();
+  this->Warn({ losses.TakeNews(visibilities.GetLights().GetNumbersByLayer()) });
+  losses.End();
   impl.Signature.Swap(impl.NextSignature);
-  ++impl.Statistics.VisibilityFrames;
+  ++visibilities.GetStatistics().VisibilityFrames;
 }
 
 //------------------------------------------------------------------------------
-// A light without a layer reaches every surface.
-void vtkSoftShadowPass::HideLostLights()
+void vtkSoftShadowPass::Warn(const std::vector<std::string>& news)
 {
-  Internals& impl = *this->Impl;
-  for (size_t i = 0; i < impl.Lights.size(); ++i)
+  for (const std::string& sentence : news)
   {
-    const std::string& reason = impl.Losses.GetReason(impl.Lights[i].Layer);
-    if (!reason.empty())
+    if (!sentence.empty())
     {
-      impl.Lights[i].Casts = false;
-      impl.Lights[i].Reason = reason;
-      impl.Lights[i].Layer = impl.Hooks.Layers[i] = -1;
+      vtkWarningMacro(<< sentence);
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSoftShadowPass::WarnOfLosses()
-{
-  Internals& impl = *this->Impl;
-  std::vector<int> numbers;
-  for (size_t i = 0; i < impl.Lights.size(); ++i)
-  {
-    if (impl.Lights[i].Casts)
-    {
-      numbers.push_back(static_cast<int>(i));
-    }
-  }
-  const std::string news = impl.Losses.TakeNews(numbers);
-  if (!news.empty())
-  {
-    vtkWarningMacro(<< news);
   }
 }
 
@@ -312,78 +254,12 @@ bool vtkSoftShadowPass::SignatureChanged(const vtkRenderState* s)
   Internals& impl = *this->Impl;
   vtkSoftShadowSignature& next = impl.NextSignature;
   next.Clear();
-  next.Add(static_cast<vtkTypeUInt64>(reinterpret_cast<std::uintptr_t>(s->GetRenderer())));
   next.Add(static_cast<vtkTypeUInt64>(this->GetMTime()));
-  next.Add(static_cast<vtkTypeUInt64>(impl.Casters->GetBodiesTime()));
-  next.Add(static_cast<vtkTypeUInt64>(impl.Casters->GetLooksTime()));
   next.Add(static_cast<vtkTypeUInt64>(impl.Viewport[2]));
   next.Add(static_cast<vtkTypeUInt64>(impl.Viewport[3]));
-  next.AddCamera(s->GetRenderer());
-  for (const Internals::LitLight& light : impl.Lights)
-  {
-    next.Add(static_cast<vtkTypeUInt64>(light.Casts));
-    next.AddEmitter(light.Emitter);
-  }
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
-  {
-    next.AddProp(s->GetPropArray()[i]);
-  }
+  impl.Visibilities.AddTo(next);
+  next.AddState(s);
   return !(impl.Signature == next);
-}
-
-//------------------------------------------------------------------------------
-void vtkSoftShadowPass::BakeMaps(const vtkRenderState* s)
-{
-  Internals& impl = *this->Impl;
-  const vtkShadowMapFitter fitter(impl.Casters->GetBodies());
-  const bool proves = this->EarlyOut && this->GetProof() != PROVES_NOTHING;
-  const bool pyramid = proves || this->NeedsPyramid();
-  const int split = this->CutsLights() ? this->Split : 1;
-  const bool faceMaps = pyramid || (split == 1 && this->NeedsEmitterMap());
-  int tooNear = 0;
-  for (const Internals::LitLight& light : impl.Lights)
-  {
-    if (!light.Casts)
-    {
-      continue;
-    }
-    const size_t layer = static_cast<size_t>(light.Layer);
-    if (layer >= impl.Maps.size())
-    {
-      impl.Maps.push_back(std::make_unique<vtkSoftShadowLightMaps>());
-    }
-    vtkSoftShadowLightMaps& maps = *impl.Maps[layer];
-    const vtkShadowFailures failures;
-    maps.Fit(
-      light.Emitter, fitter, impl.Casters->GetBodiesTime(), split, this->HasGaussianWeights());
-    tooNear += maps.GetNumberTooNear();
-    if (faceMaps)
-    {
-      const int baked = maps.BakeFaces(s->GetRenderer(), impl.Casters, this->GetLimitedMapSize(),
-        this->NeedsConservativeMaps(), pyramid);
-      this->CountBakes(baked);
-    }
-    impl.Losses.Lose(light.Layer, failures.GetFirst());
-  }
-  if (tooNear > 0 && !impl.WarnedOfRange)
-  {
-    impl.WarnedOfRange = true;
-    vtkWarningMacro("Some shadows near lights are lost:\n" << this->GetLightReport());
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkSoftShadowPass::GetLimitedMapSize() const
-{
-  return std::min(this->GetEmitterMapSize(), vtkShadowLimits::GetTextureSize());
-}
-
-//------------------------------------------------------------------------------
-void vtkSoftShadowPass::CountBakes(int maps)
-{
-  const vtkTypeInt64 size = this->GetLimitedMapSize();
-  this->Impl->Statistics.MapsBaked += maps;
-  this->Impl->Statistics.TexelsDrawn += maps * size * size;
 }
 
 //------------------------------------------------------------------------------
@@ -391,22 +267,23 @@ bool vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
 {
   Internals& impl = *this->Impl;
   impl.Hooks.Smooth = this->SmoothTerminator;
-  impl.Hooks.Casters = impl.Casters;
-  impl.Receivers->SetSmooth(this->SmoothTerminator);
+  impl.Hooks.Casters = impl.Visibilities.GetCasters();
+  impl.Visibilities.GetReceivers()->SetSmooth(this->SmoothTerminator);
   const vtkShadowFailures failures;
-  if (!HasTextureUnit(GetWindow(s)))
+  if (!vtkShadowTextureUnit::IsAnyLeft(GetWindow(s)))
   {
-    impl.Losses.LoseAll("no texture unit is left");
+    impl.Visibilities.GetLosses().LoseAll("no texture unit is left");
     return false;
   }
-  const int made = impl.Receivers->Begin(s->GetRenderer(), impl.Viewport[2], impl.Viewport[3]);
+  const int made =
+    impl.Visibilities.GetReceivers()->Begin(s->GetRenderer(), impl.Viewport[2], impl.Viewport[3]);
   if (made < 0)
   {
-    impl.Receivers->End(s->GetRenderer());
-    impl.Losses.LoseAll(failures.GetFirst());
+    impl.Visibilities.GetReceivers()->End(s->GetRenderer());
+    impl.Visibilities.GetLosses().LoseAll(failures.GetFirst());
     return false;
   }
-  impl.Statistics.Allocations += made;
+  impl.Visibilities.GetStatistics().Allocations += made;
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_RECEIVE;
   impl.Hooks.SetCamera(s->GetRenderer());
   impl.ReceiverMappers.Clear();
@@ -414,7 +291,7 @@ bool vtkSoftShadowPass::DrawReceivers(const vtkRenderState* s)
   this->DrawOpaque(s);
   impl.Drawn = nullptr;
   impl.Hooks.Stage = VTK_SOFT_SHADOW_STAGE_SHADE;
-  impl.Receivers->End(s->GetRenderer());
+  impl.Visibilities.GetReceivers()->End(s->GetRenderer());
   return true;
 }
 
@@ -424,7 +301,7 @@ void vtkSoftShadowPass::Shade(const vtkRenderState* s)
   Internals& impl = *this->Impl;
   impl.Hooks.Origin[0] = impl.Viewport[0];
   impl.Hooks.Origin[1] = impl.Viewport[1];
-  vtkShadowTextureArray* visibility = impl.Target->GetTexture();
+  vtkShadowTextureArray* visibility = impl.Visibilities.GetTexture();
   const vtkOpenGLState::ScopedglActiveTexture activeTexture(GetWindow(s)->GetState());
   impl.Hooks.VisibilityUnit = visibility->Activate(GetWindow(s));
   impl.ShadingMappers.Clear();
@@ -446,7 +323,7 @@ void vtkSoftShadowPass::Shade(const vtkRenderState* s)
 bool vtkSoftShadowPass::PreReplaceShaderValues(std::string& vertexShader, std::string&,
   std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  ++this->Impl->Statistics.MapperShaderBuilds;
+  ++this->Impl->Visibilities.GetStatistics().MapperShaderBuilds;
   this->Impl->Hooks.PreReplace(vertexShader, fragmentShader, prop);
   return true;
 }
@@ -478,9 +355,113 @@ bool vtkSoftShadowPass::SetShaderParameters(
 }
 
 //------------------------------------------------------------------------------
-vtkSoftShadowStatistics& vtkSoftShadowPass::ChangeStatistics()
+bool vtkSoftShadowPass::GetConverged() const
 {
-  return this->Impl->Statistics;
+  return this->Progressive && this->Impl->Visibilities.GetSchedule().IsConverged();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::GetRefining() const
+{
+  return this->Progressive && !this->Impl->Visibilities.GetSchedule().IsEnded();
+}
+
+//------------------------------------------------------------------------------
+double vtkSoftShadowPass::GetEstimatedError() const
+{
+  return this->Impl->Visibilities.GetSchedule().GetEstimatedError();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSoftShadowPass::GetProgressReport() const
+{
+  return this->Progressive ? this->Impl->Visibilities.GetSchedule().Describe()
+                           : "progressive mode is off";
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetVisibilityImage(vtkLight* light)
+{
+  return this->GetVisibilityImage(this->Impl->Visibilities.GetLights().Find(light));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetVisibilityImage(int litLight)
+{
+  Internals& impl = *this->Impl;
+  vtkSoftShadowVisibilities& visibilities = impl.Visibilities;
+  if (litLight < 0 || litLight >= visibilities.GetLights().GetNumberOfLights())
+  {
+    return nullptr;
+  }
+  impl.MakeCurrent();
+  const int layer = visibilities.GetLights().GetLight(litLight).Layer;
+  const bool triangles = layer >= 0 && visibilities.NeedsTriangles(impl.Watch.GetWindow());
+  if (triangles)
+  {
+    const vtkSoftShadowScopedState scope(impl.Watch.GetWindow());
+    impl.Hooks.VisibilityUnit = scope.GetFreeUnit(); // mappers may bake, see EstimateVisibility
+    this->Warn(visibilities.UpdateTriangles());
+  }
+  return visibilities.MakeImage(layer, triangles);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkSoftShadowPass::GetDepthImage()
+{
+  this->Impl->MakeCurrent();
+  return this->Impl->Visibilities.GetReceivers()->ReadDepth();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::GetVisibilityImage(vtkLight* light, vtkImageData* image)
+{
+  return vtkSoftShadowImages::Copy(this->GetVisibilityImage(light), image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowPass::GetDepthImage(vtkImageData* image)
+{
+  return vtkSoftShadowImages::Copy(this->GetDepthImage(), image);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTextureArray* vtkSoftShadowPass::GetVisibilityTexture()
+{
+  return this->Impl->Visibilities.GetTexture();
+}
+
+//------------------------------------------------------------------------------
+int vtkSoftShadowPass::GetVisibilityLayer(vtkLight* light) const
+{
+  const int index = this->Impl->Visibilities.GetLights().Find(light);
+  return index < 0 ? -1 : this->Impl->Visibilities.GetLights().GetLight(index).Layer;
+}
+
+//------------------------------------------------------------------------------
+const vtkSoftShadowStatistics& vtkSoftShadowPass::GetStatistics()
+{
+  this->Impl->MakeCurrent();
+  this->Impl->Visibilities.UpdateStatistics();
+  return this->Impl->Visibilities.GetStatistics();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkSoftShadowPass::GetCount(const std::string& name)
+{
+  return this->GetStatistics().FindCount(name);
+}
+
+//------------------------------------------------------------------------------
+double vtkSoftShadowPass::GetMilliseconds(const std::string& step)
+{
+  return this->GetStatistics().FindMilliseconds(step);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSoftShadowPass::GetLightReport() const
+{
+  return this->Impl->Visibilities.GetLights().Describe();
 }
 
 //------------------------------------------------------------------------------
@@ -497,30 +478,8 @@ void vtkSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->DelegatePass->ReleaseGraphicsResources(window);
   }
-  Internals& impl = *this->Impl;
-  impl.Casters->ReleaseGraphicsResources(window);
-  impl.Receivers->ReleaseGraphicsResources(window);
-  impl.Target->ReleaseGraphicsResources(window);
-  impl.Timers.ReleaseGraphicsResources();
-  impl.ProofShader.ReleaseGraphicsResources(window);
-  impl.ConstantShader.ReleaseGraphicsResources(window);
-  impl.PointShader.ReleaseGraphicsResources(window);
-  impl.Accumulator->ReleaseGraphicsResources(window);
-  impl.PointMaps->ReleaseGraphicsResources(window);
-  impl.Schedule.Reset();
-  impl.ReleaseData(window);
-  for (const auto& maps : impl.Maps)
-  {
-    maps->ReleaseGraphicsResources(window);
-  }
-  if (!impl.Queries.empty())
-  {
-    glDeleteQueries(static_cast<GLsizei>(impl.Queries.size()), impl.Queries.data());
-    impl.Queries.clear();
-    impl.UsedQueries = 0;
-  }
-  impl.Signature.Clear();
-  impl.Losses.Clear();
+  this->Impl->Visibilities.ReleaseGraphicsResources(window);
+  this->Impl->Signature.Clear();
 }
 
 //------------------------------------------------------------------------------

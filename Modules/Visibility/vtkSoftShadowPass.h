@@ -34,68 +34,22 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingSoftShadowsVisibilityModule.h" // For export macro
-#include "vtkShadowLightSampling.h"                  // For samples
-#include "vtkShadowMapView.h"                        // For views
+#include "vtkShadowLightSampling.h"                  // For points
 #include "vtkSmartPointer.h"                         // For images
+#include "vtkSoftShadowRequirements.h"               // For requirements
 #include "vtkSoftShadowStatistics.h"                 // For statistics
 #include "vtkSoftShadowsABI.h"                       // For the ABI namespace
 #include "vtkWrappingHints.h"                        // For VTK_WRAPEXCLUDE
 
 #include <memory> // For the implementation
 #include <string> // For names
-#include <vector> // For samples
+#include <vector> // For warnings
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkLight;
-class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkShadowCasters;
-class vtkShadowDepthMaps;
-class vtkShadowDepthPyramid;
-class vtkShadowMapFitter;
-class vtkShadowReceivers;
-class vtkShadowShader;
 class vtkShadowTextureArray;
-
-/// What a technique is given for one emitter.
-struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
-{
-  vtkRenderer* Renderer = nullptr;
-  vtkOpenGLRenderWindow* Window = nullptr;
-  vtkShadowCasters* Casters = nullptr;
-  const vtkShadowMapFitter* Fitter = nullptr;
-  vtkShadowReceivers* Receivers = nullptr;
-  /// Which of the lit lights, in the renderer's order, and which of its emitters (faces x parts).
-  int Light = 0;
-  int Part = 0;
-  /// That light itself.
-  vtkLight* Source = nullptr;
-  /// Which axis of the cube a face of an omni light looks along; -1 for other lights.
-  int FaceAxis = -1;
-  /// The emitter; Weight is what its visibility is multiplied by.
-  vtkShadowEmitter Emitter;
-  /// Whether anything that the visibility depends on changed; if not, the technique wanted it anew.
-  bool Changed = true;
-  /// Whether it is for being read, not for the picture: to be as good as it gets, once.
-  bool IsData = false;
-  /// If the technique wants a map from the emitter's centre: the maps, and the layer to look at.
-  vtkShadowDepthMaps* Maps = nullptr;
-  int Layer = 0;
-  /// A pyramid over Maps if the technique wants one.
-  vtkShadowDepthPyramid* Pyramid = nullptr;
-  /// The depth renderbuffer of the bound framebuffer, the viewport's size: steps before the last,
-  /// drawn at depth 0.5 with GL_LESS, touch with it only the pixels that the last step will filter.
-  unsigned int Marks = 0;
-};
-
-/// Points of an emitter, each with the view of its map.
-struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowSamples
-{
-  std::vector<vtkShadowMapView> Views;
-  std::vector<float> Weights; // of the views; the emitter's own weight is in them
-  float LitWeight = 0.0f;     // of the points in whose way nothing lies: they have no view
-};
+class vtkSoftShadowServices;
 
 class VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowPass : public vtkOpenGLRenderPass
 {
@@ -145,10 +99,11 @@ public:
 
   ///@{
   /**
-   * Memory for depth maps that one light may hold at a time, all its parts together, in MiB, in [1, 65536].
-   * Lights with more maps than fit draw them in batches, every frame anew. Default is 1024.
+   * Memory for depth maps that one light may hold at a time, all its parts together, in MiB, in [0, 65536].
+   * Lights with more maps than fit draw them in batches, every frame anew. 0, the default, is a quarter of
+   * what the driver says is free when the pass first draws, or 1024 where it does not say.
    */
-  vtkSetClampMacro(MapMemory, int, 1, 65536);
+  vtkSetClampMacro(MapMemory, int, 0, 65536);
   vtkGetMacro(MapMemory, int);
   ///@}
 
@@ -289,149 +244,66 @@ public:
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
   ///@}
 
-protected:
-  vtkSoftShadowPass();
-  ~vtkSoftShadowPass() override;
+  ///@{
+  /**
+   * What a technique is: each subclass overrides the first and Add, the others if it has to. A technique
+   * is given all that it uses. It can be asked by whoever has the services for it.
+   *
+   * What it needs of a frame; asked anew in every frame.
+   */
+  VTK_WRAPEXCLUDE virtual vtkSoftShadowRequirements GetRequirements() const { return {}; }
 
   /**
-   * Frees what a pass holds in a window that outlives it. Every technique's destructor calls it
-   * first: later its own part of ReleaseGraphicsResources can no longer be reached.
+   * Called before any emitter of an estimate; of the services, what concerns an emitter is not set.
+   * Framebuffer, viewport, blending and depth test are the technique's to set and to restore.
    */
-  void ReleaseBeforeDestruction();
+  VTK_WRAPEXCLUDE virtual void Begin(const vtkSoftShadowServices&) {}
+
+  /**
+   * With Requirements::Preparation: called for the emitters whose maps are all held at a time, before Add
+   * is for the first of them, in the same order. So the GPU can be asked for all and waited for once. A
+   * technique keeps what it prepares itself, and prepares what was left out. State as for Begin.
+   */
+  VTK_WRAPEXCLUDE virtual void Prepare(const vtkSoftShadowServices&) {}
 
   /**
    * Adds Emitter.Weight times the emitter's visibility to the bound framebuffer for every pixel
    * that is neither proved nor out of the light's reach. Framebuffer, viewport, additive blending
    * and the depth test that keeps other pixels untouched are set up and must be the same after the
-   * call; a technique draws with vtkShadowShader::Draw (depth 0.5), writing the product to
-   * gl_FragData[0].
+   * call; the last step is drawn with vtkSoftShadowServices::DrawMarked (depth 0.5), writing the product
+   * to gl_FragData[0].
    */
-  virtual void AddVisibility(const vtkSoftShadowContext& context) = 0;
+  VTK_WRAPEXCLUDE virtual void Add(const vtkSoftShadowServices& services) = 0;
 
   /**
-   * Called before any emitter of a frame; of the context, what concerns an emitter is not set. True if
-   * PrepareVisibility is wanted: called for the emitters whose maps are all held at a time, before
-   * AddVisibility is for the first of them, in the same order. So the GPU can be asked for all and
-   * waited for once. A technique keeps what it prepares itself, and prepares what was left out.
-   * Framebuffer, viewport, blending and depth test are the technique's to set and to restore.
+   * For progressive mode: adds what pixels see of one point of the emitter, its weight or nothing, to the
+   * bound framebuffer, as Add but without marks. False, the default, lets it be drawn with a depth map.
    */
-  virtual bool BeginVisibility(const vtkSoftShadowContext&) { return false; }
-  virtual void PrepareVisibility(const vtkSoftShadowContext&) {}
-
-  /**
-   * For progressive mode: adds what pixels see of one point of the context's emitter, its weight or nothing,
-   * to the bound framebuffer, as AddVisibility but without marks. False, the default, lets the base class
-   * draw it with a depth map of its own.
-   */
-  virtual bool AddPointVisibility(
-    const vtkSoftShadowContext&, const vtkShadowLightSampling::Sample&)
+  VTK_WRAPEXCLUDE virtual bool AddPoint(
+    const vtkSoftShadowServices&, const vtkShadowLightSampling::Sample&)
   {
     return false;
   }
-
-  /// Whether Split cuts lights; if not, it changes nothing. Default is yes.
-  virtual bool CutsLights() const { return true; }
-
-  /// Whether AddVisibility needs a map from the emitter's centre. Default is yes.
-  virtual bool NeedsEmitterMap() const { return true; }
-
-  /// Texels along an edge of those maps. Default is MapSize.
-  virtual int GetEmitterMapSize() const { return this->MapSize; }
-
-  /// Whether those maps are rasterised conservatively. Default is no.
-  virtual bool NeedsConservativeMaps() const { return false; }
-
-  /// Whether AddVisibility reads the pyramid of the emitter's map. Default is no.
-  virtual bool NeedsPyramid() const { return false; }
 
   /**
    * Whether the technique would do better now although nothing changed: counts it did not wait for
    * have come back. Asked whenever visibility may be kept, which is mostly once per frame. Default is no.
    */
-  virtual bool WantsVisibilityAnew() { return false; }
+  VTK_WRAPEXCLUDE virtual bool WantsVisibilityAnew() { return false; }
 
-  /// What the pyramid of the whole light's map may prove without changing the technique's result.
-  enum ProofType
-  {
-    PROVES_NOTHING = 0,
-    PROVES_LIT = 1,
-    PROVES_LIT_AND_BLOCKED = 2
-  };
-  virtual int GetProof() const { return PROVES_LIT_AND_BLOCKED; }
-
-  /// Whether the emitter is weighted by N(0, 0.5) over its window; the parts' weights follow.
-  virtual bool HasGaussianWeights() const { return false; }
-
-  ///@{
-  /// What a technique holds and did beyond the base class, for the statistics.
-  virtual vtkTypeInt64 GetTechniqueBytes() { return 0; }
-  virtual vtkTypeInt64 GetTechniqueDrawCalls() { return 0; }
-  virtual int GetTechniqueShaderBuilds() { return 0; }
+  /// Adds what the technique holds and did beyond the services: bytes, draw calls, builds of shaders.
+  VTK_WRAPEXCLUDE virtual void AddStatistics(vtkSoftShadowStatistics&) {}
   ///@}
 
-  /**
-   * Sets the uniforms of the snippets vtkShadowReceiver and vtkShadowLight and binds the receivers.
-   * Needs DeactivateReceivers.
-   */
-  void SetReceiverUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context);
-
-  /// Sets the uniforms of vtkShadowDepthMap and vtkShadowKernel for a view, but for the sampler.
-  static void SetMapUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
-    const vtkShadowMapView& view, int mapSize);
-
-  /// The views that fit points of the context's emitter, from the points themselves.
-  static vtkSoftShadowSamples FitSamples(
-    const vtkSoftShadowContext& context, const std::vector<vtkShadowLightSampling::Sample>& points);
-
-  /**
-   * Sets the uniforms of vtkShadowSamples and vtkShadowDepthMap, but for the sampler: count views,
-   * at most VTK_SOFT_SHADOW_SAMPLES_PER_DRAW, with their weights, whose maps of mapSize texels lie
-   * in the layers from firstLayer on. filterSize is the edge of the percentage-closer filter.
-   */
-  static void SetSampleUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
-    const vtkShadowMapView* views, const float* weights, size_t count, size_t firstLayer,
-    int mapSize, int filterSize);
-
-  /**
-   * Sets viewToBase and baseToMaps of the views, at most VTK_SOFT_SHADOW_SAMPLES_PER_DRAW: a receiver is
-   * brought into the first one's map, and from there into each with three rows of a matrix. Points
-   * of one light lie in a plane and look at right angles to it, or are directions: their map
-   * coordinates are affine images of each other.
-   */
-  static void SetAffineMapUniforms(vtkShaderProgram* program, const vtkSoftShadowContext& context,
-    const vtkShadowMapView* views, size_t count);
-
-  /// View to map coordinates, column-major as OpenGL takes it, composed in double.
-  static void ViewToMap(
-    const vtkSoftShadowContext& context, const vtkShadowMapView& view, float matrix[16]);
-
-  /// Draws the technique's shader and counts the pixels that it filters.
-  void DrawFiltered(vtkShadowShader& shader);
-
-  /// Whether the depth maps of one light, all its parts together, are more than MapMemory.
-  bool ExceedsMapMemory(vtkTypeInt64 bytes) const;
-
-  /// How many of the emitters' maps fit MapMemory and the layers of a texture, at least 1.
-  size_t GetMapsPerBatch() const;
-
-  /// Adds to the counts of maps and, each of the emitters' size, texels.
-  void CountBakes(int maps);
-
-  /**
-   * Times what follows under this name (a literal) in the statistics' milliseconds; repeated names
-   * add up. What AddVisibility does before its first step, and a technique that names none, counts
-   * as "visibility". What is done on the processor is timed by the clock.
-   */
-  void BeginStep(const char* name, bool onProcessor = false);
-
-  /// For counts that techniques add to.
-  vtkSoftShadowStatistics& ChangeStatistics();
+protected:
+  vtkSoftShadowPass();
+  ~vtkSoftShadowPass() override;
 
   vtkRenderPass* DelegatePass = nullptr;
   int MapSize = 2048;
   int Split = 1;
   bool EarlyOut = true;
-  int MapMemory = 1024;
+  int MapMemory = 0;
   bool Progressive = false;
   double ProgressiveTolerance = 0.02;
   int ProgressivePoints = 4;
@@ -444,39 +316,14 @@ private:
   class Internals;
   std::unique_ptr<Internals> Impl;
 
-  class ScopedMapSize;
-
-  int GetLimitedMapSize() const;
+  void Warn(const std::vector<std::string>& news);
   void CollectLights(const vtkRenderState* s);
-  void EstimateVisibility(const vtkRenderState* s, bool changed);
-  void HideLostLights();
-  void WarnOfLosses();
-  void DrawOpaque(const vtkRenderState* s);
   void UpdateVisibility(const vtkRenderState* s);
   bool SignatureChanged(const vtkRenderState* s);
-  void BakeMaps(const vtkRenderState* s);
+  void EstimateVisibility(const vtkRenderState* s, bool changed);
   bool DrawReceivers(const vtkRenderState* s);
+  void DrawOpaque(const vtkRenderState* s);
   void Shade(const vtkRenderState* s);
-
-  vtkShadowTextureArray* GetDataTexture();
-  void EstimateLights(const vtkRenderState* s, bool changed);
-  void PrepareLight(vtkSoftShadowContext& context, int layer);
-  bool SelectPart(vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex);
-  void EstimateOrPrepare(vtkSoftShadowContext& context, bool preparing);
-  void EstimateLight(vtkSoftShadowContext& context, int layer);
-  void EstimatePart(vtkSoftShadowContext& context, int layer, size_t faceIndex, size_t partIndex);
-  void Refine(const vtkRenderState* s);
-  bool BeginProgress(vtkOpenGLRenderWindow* window);
-  void AddPoints(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
-  bool AddRun(vtkSoftShadowContext& context, int run);
-  bool AddPoint(vtkSoftShadowContext& context, int layer, int index);
-  bool AddMappedPoint(
-    const vtkSoftShadowContext& context, int layer, const vtkShadowLightSampling::Sample& sample);
-  void LookAtMean(vtkOpenGLRenderWindow* window);
-  void LoseMaps(vtkOpenGLRenderWindow* window, const std::string& reason);
-  void ClearMean(vtkOpenGLRenderWindow* window);
-  void ReleaseProgress(vtkOpenGLRenderWindow* window);
-  void DrawMarks(const vtkSoftShadowContext& context, const vtkShadowMapView* view);
 };
 
 VTK_ABI_NAMESPACE_END

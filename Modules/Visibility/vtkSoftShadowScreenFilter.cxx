@@ -9,11 +9,11 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowReceivers.h"
+#include "vtkShadowScopedTarget.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
-#include "vtkSoftShadowPass.h"
+#include "vtkSoftShadowContext.h"
 #include "vtkSoftShadowScreen.h"
-#include "vtkSoftShadowsOpenGL.h"
 
 #include "vtkSoftShadowScreenFilterFS.h"
 #include "vtkSoftShadowScreenTilesFS.h"
@@ -71,32 +71,6 @@ struct Step
   int Row[2] = { 0, 1 };
   int HalfTaps = 0;
   int HalfRows = 0;
-};
-
-// What the steps before the last change and put back.
-class ScopedTarget
-{
-public:
-  explicit ScopedTarget(vtkOpenGLState* state)
-    : State(state)
-    , Viewport(state)
-    , Blend(state, GL_BLEND)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , ScissorTest(state, GL_SCISSOR_TEST)
-  {
-    state->PushFramebufferBindings();
-    state->vtkglDisable(GL_SCISSOR_TEST);
-  }
-  ~ScopedTarget() { this->State->PopFramebufferBindings(); }
-  ScopedTarget(const ScopedTarget&) = delete;
-  void operator=(const ScopedTarget&) = delete;
-
-private:
-  vtkOpenGLState* State;
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
 };
 
 // How far lit pixels look for a shadow: some more than most kernels reach.
@@ -233,7 +207,7 @@ public:
   vtkShadowShader TilesShader{ vtkSoftShadowScreenTilesFS };
   vtkShadowShader TapsShader{ vtkSoftShadowScreenFilterFS };
   vtkShadowShader CellShader{ vtkSoftShadowScreenFilterFS };
-  std::unique_ptr<ScopedTarget> SumsTarget; // between BeginSums and EndSums
+  std::unique_ptr<vtkShadowScopedTarget> SumsTarget; // between BeginSums and EndSums
 };
 
 //------------------------------------------------------------------------------
@@ -250,7 +224,7 @@ bool vtkSoftShadowScreenFilter::BeginSums(const vtkSoftShadowContext& context)
 {
   const bool isKept = this->Impl->Textures.Copy(
     context.Window, context.Receivers->GetWidth(), context.Receivers->GetHeight());
-  this->Impl->SumsTarget = std::make_unique<ScopedTarget>(context.Window->GetState());
+  this->Impl->SumsTarget = std::make_unique<vtkShadowScopedTarget>(context.Window->GetState());
   if (isKept &&
     this->Impl->Textures.Begin(context.Window, Screen::SUMS, context.Receivers->GetWidth(),
       context.Receivers->GetHeight(), context.Marks))
@@ -288,7 +262,7 @@ bool vtkSoftShadowScreenFilter::Internals::DrawTiles(
 {
   const int size = GetTileSize(settings);
   vtkOpenGLState* state = context.Window->GetState();
-  const ScopedTarget target(state);
+  const vtkShadowScopedTarget target(state);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
   if (!this->TilesShader.Use(context.Window) ||
@@ -349,7 +323,7 @@ void vtkSoftShadowScreenFilter::Internals::DrawStep(const vtkSoftShadowContext& 
   }
   else
   {
-    const ScopedTarget target(context.Window->GetState());
+    const vtkShadowScopedTarget target(context.Window->GetState());
     context.Window->GetState()->vtkglDisable(GL_BLEND);
     const Screen::TextureName next = source == Screen::BLURRED ? Screen::AGAIN : Screen::BLURRED;
     if (this->Textures.Begin(context.Window, next, context.Receivers->GetWidth(),

@@ -5,12 +5,24 @@
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProp.h"
+#include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowEmitter.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+void vtkSoftShadowSignature::AddState(const vtkRenderState* s)
+{
+  this->Add(static_cast<vtkTypeUInt64>(reinterpret_cast<std::uintptr_t>(s->GetRenderer())));
+  this->AddCamera(s->GetRenderer());
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    this->AddProp(s->GetPropArray()[i]);
+  }
+}
+
 //------------------------------------------------------------------------------
 void vtkSoftShadowSignature::AddCamera(vtkRenderer* renderer)
 {

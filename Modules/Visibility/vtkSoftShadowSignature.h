@@ -17,6 +17,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
+class vtkRenderState;
 class vtkRenderer;
 struct vtkShadowEmitter;
 
@@ -39,11 +40,8 @@ public:
     }
   }
 
-  /// The camera's matrices for the renderer's aspect ratio.
-  void AddCamera(vtkRenderer* renderer);
-
-  /// Everything about a prop that its receivers depend on.
-  void AddProp(vtkProp* prop);
+  /// The renderer, its camera and the props that are drawn.
+  void AddState(const vtkRenderState* s);
 
   void AddEmitter(const vtkShadowEmitter& emitter);
 
@@ -51,6 +49,12 @@ public:
   void Swap(vtkSoftShadowSignature& other) { this->Words.swap(other.Words); }
 
 private:
+  /// The camera's matrices for the renderer's aspect ratio.
+  void AddCamera(vtkRenderer* renderer);
+
+  /// Everything about a prop that its receivers depend on.
+  void AddProp(vtkProp* prop);
+
   std::vector<vtkTypeUInt64> Words;
 };
 

@@ -2,7 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSoftShadowStatistics.h"
 
+#include <algorithm>
+
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+template <typename Value>
+Value FindByName(const std::vector<std::pair<std::string, Value>>& list, const std::string& name)
+{
+  const auto found = std::find_if(
+    list.begin(), list.end(), [&name](const auto& entry) { return entry.first == name; });
+  return found != list.end() ? found->second : Value(-1);
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, vtkTypeInt64>> vtkSoftShadowStatistics::GetCounts() const
 {
@@ -18,5 +33,16 @@ std::vector<std::pair<std::string, vtkTypeInt64>> vtkSoftShadowStatistics::GetCo
     { "triangles", this->Triangles }, { "bytes_held", this->BytesHeld } };
   counts.insert(counts.end(), this->TechniqueCounts.begin(), this->TechniqueCounts.end());
   return counts;
+}
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkSoftShadowStatistics::FindCount(const std::string& name) const
+{
+  return FindByName(this->GetCounts(), name);
+}
+
+//------------------------------------------------------------------------------
+double vtkSoftShadowStatistics::FindMilliseconds(const std::string& step) const
+{
+  return FindByName(this->Milliseconds, step);
 }
 VTK_ABI_NAMESPACE_END

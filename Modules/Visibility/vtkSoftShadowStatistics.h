@@ -67,6 +67,12 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowStatistics
 
   /// All counts by name, in the order above.
   std::vector<std::pair<std::string, vtkTypeInt64>> GetCounts() const;
+
+  ///@{
+  /// The count, or the step's milliseconds, of that name; -1 if there is none.
+  vtkTypeInt64 FindCount(const std::string& name) const;
+  double FindMilliseconds(const std::string& step) const;
+  ///@}
 };
 
 VTK_ABI_NAMESPACE_END

@@ -5,6 +5,7 @@
 #include "GivenVisibilityFS.h"
 
 #include "vtkShadowShader.h"
+#include "vtkSoftShadowServices.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -36,10 +37,7 @@ GivenVisibilityPass::GivenVisibilityPass()
 }
 
 //--------------------------------------------------------------------------------------------------
-GivenVisibilityPass::~GivenVisibilityPass()
-{
-  this->ReleaseBeforeDestruction();
-}
+GivenVisibilityPass::~GivenVisibilityPass() = default;
 
 //--------------------------------------------------------------------------------------------------
 void GivenVisibilityPass::SetVisibility(
@@ -66,15 +64,24 @@ void GivenVisibilityPass::SetVisibility(
 }
 
 //--------------------------------------------------------------------------------------------------
-void GivenVisibilityPass::AddVisibility(const vtkSoftShadowContext& context)
+vtkSoftShadowRequirements GivenVisibilityPass::GetRequirements() const
 {
-  const auto light = static_cast<size_t>(context.Light);
-  if (light >= this->Impl->Images.size() || !this->Impl->Shader.Use(context.Window))
+  vtkSoftShadowRequirements requirements;
+  requirements.EmitterMap = false;
+  requirements.Proof = vtkSoftShadowRequirements::PROVES_NOTHING;
+  return requirements;
+}
+
+//--------------------------------------------------------------------------------------------------
+void GivenVisibilityPass::Add(const vtkSoftShadowServices& services)
+{
+  const auto light = static_cast<size_t>(services.Light);
+  if (light >= this->Impl->Images.size() || !this->Impl->Shader.Use(services.Window))
   {
     return;
   }
   vtkNew<vtkTextureObject> texture;
-  texture->SetContext(context.Window);
+  texture->SetContext(services.Window);
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   texture->Create2DFromRaw(static_cast<unsigned int>(this->Impl->Width),
@@ -82,10 +89,10 @@ void GivenVisibilityPass::AddVisibility(const vtkSoftShadowContext& context)
   texture->Activate();
   vtkShaderProgram* program = this->Impl->Shader.GetProgram();
   program->SetUniformi("given", texture->GetTextureUnit());
-  program->SetUniformf("weight", static_cast<float>(context.Emitter.Weight));
-  this->DrawFiltered(this->Impl->Shader);
+  program->SetUniformf("weight", static_cast<float>(services.Emitter.Weight));
+  services.DrawMarked(this->Impl->Shader);
   texture->Deactivate();
-  texture->ReleaseGraphicsResources(context.Window);
+  texture->ReleaseGraphicsResources(services.Window);
 }
 
 //--------------------------------------------------------------------------------------------------

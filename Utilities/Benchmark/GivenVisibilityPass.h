@@ -37,9 +37,8 @@ protected:
   GivenVisibilityPass();
   ~GivenVisibilityPass() override;
 
-  void AddVisibility(const vtkSoftShadowContext& context) override;
-  bool NeedsEmitterMap() const override { return false; }
-  int GetProof() const override { return PROVES_NOTHING; }
+  vtkSoftShadowRequirements GetRequirements() const override;
+  void Add(const vtkSoftShadowServices& services) override;
 
 private:
   GivenVisibilityPass(const GivenVisibilityPass&) = delete;

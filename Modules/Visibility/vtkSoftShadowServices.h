@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSoftShadowServices
+ * @brief   All that a technique is given: what it estimates visibility from, and what it uses for it.
+ *
+ * Uniforms of the shared snippets, drawing over the pixels that are marked, times and counts. Copies tell
+ * the same timers and statistics. What cannot be had is told to vtkShadowFailures.
+ */
+
+#ifndef vtkSoftShadowServices_h
+#define vtkSoftShadowServices_h
+
+#include "vtkRenderingSoftShadowsVisibilityModule.h" // For export macro
+#include "vtkSoftShadowContext.h"
+#include "vtkSoftShadowSamples.h" // For samples
+#include "vtkSoftShadowsABI.h"    // For the ABI namespace
+
+#include <string>  // For names
+#include <utility> // For counts
+#include <vector>  // For points
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkShaderProgram;
+class vtkShadowShader;
+class vtkSoftShadowPixelCount;
+class vtkSoftShadowTimers;
+struct vtkSoftShadowStatistics;
+
+class VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowServices : public vtkSoftShadowContext
+{
+public:
+  /// Whom to tell; all live longer.
+  vtkSoftShadowServices(vtkSoftShadowTimers& timers, vtkSoftShadowStatistics& statistics,
+    vtkSoftShadowPixelCount& pixels);
+
+  /**
+   * Sets the uniforms of the snippets vtkShadowReceiver and vtkShadowLight and binds the receivers.
+   * Needs Receivers->Deactivate.
+   */
+  void SetReceiverUniforms(vtkShaderProgram* program) const;
+
+  /// Sets the uniforms of vtkShadowDepthMap and vtkShadowKernel for a view, but for the sampler.
+  void SetMapUniforms(vtkShaderProgram* program, const vtkShadowMapView& view, int mapSize) const;
+
+  /// The same for the emitter's own map.
+  void SetMapUniforms(vtkShaderProgram* program) const;
+
+  /// The view of the emitter's own map.
+  const vtkShadowMapView& GetMapView() const;
+
+  /// The views that fit points of the emitter, from the points themselves.
+  vtkSoftShadowSamples FitSamples(const std::vector<vtkShadowLightSampling::Sample>& points) const;
+
+  /**
+   * Sets the uniforms of vtkShadowSamples and vtkShadowDepthMap, but for the sampler: count views,
+   * at most VTK_SOFT_SHADOW_SAMPLES_PER_DRAW, with their weights, whose maps of mapSize texels lie
+   * in the layers from firstLayer on. filterSize is the edge of the percentage-closer filter.
+   */
+  void SetSampleUniforms(vtkShaderProgram* program, const vtkShadowMapView* views,
+    const float* weights, size_t count, size_t firstLayer, int mapSize, int filterSize) const;
+
+  /**
+   * Sets viewToBase and baseToMaps of the views, at most VTK_SOFT_SHADOW_SAMPLES_PER_DRAW: a receiver is
+   * brought into the first one's map, and from there into each with three rows of a matrix. Points
+   * of one light lie in a plane and look at right angles to it, or are directions: their map
+   * coordinates are affine images of each other.
+   */
+  void SetAffineMapUniforms(
+    vtkShaderProgram* program, const vtkShadowMapView* views, size_t count) const;
+
+  /// View to map coordinates, column-major as OpenGL takes it, composed in double.
+  void ViewToMap(const vtkShadowMapView& view, float matrix[16]) const;
+
+  /// Draws the technique's shader over the marked pixels and counts the pixels that it filters.
+  void DrawMarked(vtkShadowShader& shader) const;
+
+  /// Whether bytes of the depth maps of one light are more than MapMemory.
+  bool ExceedsMapMemory(vtkTypeInt64 bytes) const { return bytes > this->MapMemory; }
+
+  /// How many maps of that size fit a share of MapMemory and the layers of a texture, at least 1.
+  size_t GetMapsPerBatch(int mapSize, int shares = 1) const;
+
+  ///@{
+  /// Adds to the counts: of maps that were baked, each of that size or of so many texels together; of
+  /// textures that were made.
+  void CountBakes(int maps, int mapSize) const;
+  void CountMaps(int maps, vtkTypeInt64 texels) const;
+  void CountAllocations(int textures) const;
+  ///@}
+
+  /**
+   * Times what follows under this name (a literal) in the statistics' milliseconds; repeated names
+   * add up. What a technique does before its first step, and one that names none, counts
+   * as "visibility". What is done on the processor is timed by the clock.
+   */
+  void BeginStep(const char* name, bool onProcessor = false) const;
+
+  /// What a technique counts beyond the statistics' own, by name.
+  void SetCounts(std::vector<std::pair<std::string, vtkTypeInt64>> counts) const;
+
+private:
+  vtkSoftShadowTimers* Timers;
+  vtkSoftShadowStatistics* Statistics;
+  vtkSoftShadowPixelCount* Pixels;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkSoftShadowServices.h
