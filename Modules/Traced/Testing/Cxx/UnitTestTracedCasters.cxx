@@ -9,7 +9,9 @@
 #include "vtkDoubleArray.h"
 #include "vtkGlyph3D.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkImageData.h"
 #include "vtkPlane.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -17,9 +19,11 @@
 #include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkTestErrorObserver.h"
+#include "vtkTexture.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace SoftShadowsTesting;
@@ -128,6 +132,46 @@ TEST(TracedCasters, ClippingPlanesCut)
   plane->SetNormal(0.0, 1.0, 0.0);
   cut->GetMapper()->AddClippingPlane(plane);
   EXPECT_LT(Apart(Shadow(scene, half), Shadow(scene, cut)), 0.01);
+}
+
+//------------------------------------------------------------------------------
+// Where a texture has no alpha VTK draws nothing, and light passes.
+TEST(TracedCasters, TexturesWithAlphaHaveHoles)
+{
+  const Scene scene = MakeRectangleScene(Weights::Mean);
+  const auto make = [](double left)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(left, -0.4, 0.0);
+    plane->SetPoint1(0.4, -0.4, 0.0);
+    plane->SetPoint2(left, 0.4, 0.0);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(plane->GetOutputPort());
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    return actor;
+  };
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(8, 8, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int y = 0; y < 8; ++y)
+  {
+    for (int x = 0; x < 8; ++x)
+    {
+      auto* texel = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
+      std::fill(texel, texel + 4, static_cast<unsigned char>(255));
+      texel[3] = x < 4 ? 0 : 255;
+    }
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->InterpolateOff();
+  const auto holed = make(-0.4);
+  holed->SetTexture(texture);
+  holed->ForceOpaqueOn();
+  const Picture expected = Shadow(scene, make(0.0));
+  EXPECT_LT(Apart(expected, Shadow(scene, holed)), 0.005);
+  EXPECT_GT(Apart(expected, Shadow(scene, make(-0.4))), 0.05);
 }
 
 //------------------------------------------------------------------------------
