@@ -16,6 +16,8 @@
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 
+#include <algorithm>
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkShadowDepthPyramid);
 
@@ -64,21 +66,8 @@ public:
   vtkShadowShader Base{ vtkShadowPyramidBaseFS };
   vtkShadowShader Coarser{ vtkShadowPyramidFS };
   vtkShadowFramebuffer Framebuffer;
-
-  // Draws one level of all layers from a texture that is bound to a unit.
-  void DrawLevel(vtkShadowShader& shader, vtkOpenGLState* state, const char* sampler, int unit,
-    vtkShadowTextureArray* target, int layers, int level)
-  {
-    const int size = target->GetWidth() >> level;
-    state->vtkglViewport(0, 0, size, size);
-    shader.GetProgram()->SetUniformi(sampler, unit);
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      target->AttachLayer(layer, level);
-      shader.GetProgram()->SetUniformi("layer", layer);
-      shader.Draw();
-    }
-  }
+  vtkNew<vtkShadowTextureArray>
+    Drawn; // a level, which cannot be drawn into the image it is made from
 };
 
 //------------------------------------------------------------------------------
@@ -91,6 +80,20 @@ vtkShadowDepthPyramid::vtkShadowDepthPyramid()
 vtkShadowDepthPyramid::~vtkShadowDepthPyramid() = default;
 
 //------------------------------------------------------------------------------
+int vtkShadowDepthPyramid::GetLevelSize(int level) const
+{
+  return this->Texture->GetHeight() >> level;
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 2> vtkShadowDepthPyramid::GetLevelCorner(int level) const
+{
+  const int size = this->Texture->GetHeight();
+  return level == 0 ? std::array<int, 2>{ { 0, 0 } }
+                    : std::array<int, 2>{ { size, size - ((2 * size) >> level) } };
+}
+
+//------------------------------------------------------------------------------
 bool vtkShadowDepthPyramid::Update(vtkOpenGLRenderWindow* window, vtkShadowDepthMaps* maps)
 {
   const auto layers = static_cast<int>(maps->GetViews().size());
@@ -99,42 +102,25 @@ bool vtkShadowDepthPyramid::Update(vtkOpenGLRenderWindow* window, vtkShadowDepth
     return false;
   }
   int size = 1;
-  int levels = 1;
+  this->Levels = 1;
   while (2 * size < maps->GetResolution())
   {
     size *= 2;
-    ++levels;
+    ++this->Levels;
   }
+  const int format = vtkShadowTextureArray::RG32F;
   if (!this->Texture->Allocate(
-        window, vtkShadowTextureArray::RG32F, size, size, maps->GetTexture()->GetLayers(), levels))
+        window, format, size + size / 2, size, maps->GetTexture()->GetLayers()) ||
+    !this->Impl->Drawn->Allocate(window, format, std::max(size / 2, 1), std::max(size / 2, 1), 1))
   {
     return false;
   }
 
-  Internals& impl = *this->Impl;
-  vtkOpenGLState* state = window->GetState();
-  const ScopedState scoped(state);
-  impl.Framebuffer.Bind(window);
-  this->Texture->AttachLayer(0);
-  vtkShadowFramebuffer::SetDrawBuffers(window, 1);
-  if (!vtkShadowFramebuffer::IsComplete() || !impl.Base.Use(window))
+  const ScopedState scoped(window->GetState());
+  this->Impl->Framebuffer.Bind(window);
+  if (!this->DrawFinest(window, maps, layers) || !this->DrawOthers(window, layers))
   {
     return false;
-  }
-  impl.DrawLevel(
-    impl.Base, state, "depthMaps", maps->GetTexture()->Activate(), this->Texture, layers, 0);
-  maps->GetTexture()->Deactivate();
-
-  if (levels > 1 && impl.Coarser.Use(window))
-  {
-    for (int level = 1; level < levels; ++level)
-    {
-      this->Texture->SetLevelRange(level - 1, level - 1);
-      impl.DrawLevel(
-        impl.Coarser, state, "finer", this->Texture->Activate(), this->Texture, layers, level);
-      this->Texture->Deactivate();
-    }
-    this->Texture->SetLevelRange(0, levels - 1);
   }
   if (vtkShadowFailures::IsFailing())
   {
@@ -145,11 +131,65 @@ bool vtkShadowDepthPyramid::Update(vtkOpenGLRenderWindow* window, vtkShadowDepth
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowDepthPyramid::DrawFinest(
+  vtkOpenGLRenderWindow* window, vtkShadowDepthMaps* maps, int layers)
+{
+  vtkShadowShader& shader = this->Impl->Base;
+  this->Texture->AttachLayer(0);
+  vtkShadowFramebuffer::SetDrawBuffers(window, 1);
+  if (!vtkShadowFramebuffer::IsComplete() || !shader.Use(window))
+  {
+    return false;
+  }
+  const int size = this->GetLevelSize(0);
+  window->GetState()->vtkglViewport(0, 0, size, size);
+  shader.GetProgram()->SetUniformi("depthMaps", maps->GetTexture()->Activate());
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    this->Texture->AttachLayer(layer);
+    shader.GetProgram()->SetUniformi("layer", layer);
+    shader.Draw();
+  }
+  maps->GetTexture()->Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowDepthPyramid::DrawOthers(vtkOpenGLRenderWindow* window, int layers)
+{
+  vtkShadowShader& shader = this->Impl->Coarser;
+  this->Impl->Drawn->AttachLayer(0);
+  window->GetState()->vtkglReadBuffer(GL_COLOR_ATTACHMENT0);
+  if (!vtkShadowFramebuffer::IsComplete() || !shader.Use(window))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = shader.GetProgram();
+  for (int level = 1; level < this->Levels; ++level)
+  {
+    const int size = this->GetLevelSize(level);
+    const std::array<int, 2> corner = this->GetLevelCorner(level);
+    window->GetState()->vtkglViewport(0, 0, size, size);
+    program->SetUniform2i("finerCorner", this->GetLevelCorner(level - 1).data());
+    for (int layer = 0; layer < layers; ++layer)
+    {
+      program->SetUniformi("finer", this->Texture->Activate());
+      program->SetUniformi("layer", layer);
+      shader.Draw();
+      this->Texture->Deactivate();
+      this->Texture->CopyFromFramebuffer(layer, corner[0], corner[1], size, size);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowDepthPyramid::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Impl->Framebuffer.Release();
   this->Impl->Base.ReleaseGraphicsResources(window);
   this->Impl->Coarser.ReleaseGraphicsResources(window);
+  this->Impl->Drawn->ReleaseGraphicsResources(window);
   this->Texture->ReleaseGraphicsResources(window);
   this->BuildTime = 0;
 }
@@ -158,8 +198,8 @@ void vtkShadowDepthPyramid::ReleaseGraphicsResources(vtkWindow* window)
 void vtkShadowDepthPyramid::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Size: " << this->Texture->GetWidth() << "\n";
-  os << indent << "Levels: " << this->Texture->GetLevels() << "\n";
+  os << indent << "Size: " << this->Texture->GetHeight() << "\n";
+  os << indent << "Levels: " << this->Levels << "\n";
   os << indent << "Layers: " << this->Texture->GetLayers() << "\n";
 }
 

@@ -187,6 +187,14 @@ void vtkShadowTextureArray::AttachLayer(int layer, int level, int colorAttachmen
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowTextureArray::CopyFromFramebuffer(int layer, int x, int y, int width, int height)
+{
+  this->Activate(this->Watch.GetWindow());
+  glCopyTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, x, y, layer, 0, 0, width, height);
+  this->Deactivate();
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowTextureArray::SetLevelRange(int base, int maximum)
 {
   this->Activate(this->Watch.GetWindow());

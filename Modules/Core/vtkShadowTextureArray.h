@@ -83,6 +83,9 @@ public:
    */
   void AttachLayer(int layer, int level = 0, int colorAttachment = 0);
 
+  /// Copies the lower left corner of the bound read framebuffer to the texels of a layer from (x, y) on.
+  void CopyFromFramebuffer(int layer, int x, int y, int width, int height);
+
   /// Sampling clamps to levels [base, maximum], so that a level can be read while another is drawn.
   void SetLevelRange(int base, int maximum);
 

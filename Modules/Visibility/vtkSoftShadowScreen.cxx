@@ -44,9 +44,7 @@ bool vtkSoftShadowScreen::Copy(vtkOpenGLRenderWindow* window, int width, int hei
   {
     return false;
   }
-  texture->Activate();
-  glCopyTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, 0, 0, width, height);
-  texture->Deactivate();
+  texture->CopyFromFramebuffer(0, 0, 0, width, height);
   return true;
 }
 

@@ -1,15 +1,16 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A level of a pyramid from the finer one: its base level is that one.
+// A level of a pyramid from the finer one.
 //VTK::Output::Dec
 
 uniform sampler2DArray finer;
 uniform int layer;
+uniform ivec2 finerCorner; // of the finer level in its image
 
 void main()
 {
-  ivec2 corner = 2 * ivec2(gl_FragCoord.xy);
+  ivec2 corner = finerCorner + 2 * ivec2(gl_FragCoord.xy);
   vec2 a = texelFetch(finer, ivec3(corner, layer), 0).rg;
   vec2 b = texelFetch(finer, ivec3(corner + ivec2(1, 0), layer), 0).rg;
   vec2 c = texelFetch(finer, ivec3(corner + ivec2(0, 1), layer), 0).rg;

@@ -118,13 +118,19 @@ float planeDepth(MapPoint point, vec2 st)
   return point.std.z + dot(point.gradient, st - point.std.xy);
 }
 
+// The centre of the texel around st. Drivers round coordinates to a fraction of a texel before they
+// choose one; at its centre all of them choose the same.
+vec2 texelCenter(vec2 st)
+{
+  return (floor(st * depthMapSize) + 0.5) / depthMapSize;
+}
+
 // Whether a texel of that depth, which a tap at st reads, can block the receiver: it lies on the
 // camera's side of the receiver's plane, and nearer to the light, since no ray to the light leads away
 // from it. Where the centre is behind the plane, the camera's side is the far one.
 bool isBlocker(MapPoint point, vec2 st, float depth)
 {
-  vec2 center = (floor(st * depthMapSize) + 0.5) / depthMapSize;
-  float plane = planeDepth(point, center);
+  float plane = planeDepth(point, texelCenter(st));
   bool inFront = point.facesCenter ? depth < plane - point.bias : depth > plane + point.bias;
   return inFront && depth < point.std.z;
 }
@@ -138,7 +144,7 @@ const float infinitelyFar = 1e30;
 // The map's depth; beyond its border nothing blocks.
 float mapDepth(vec2 st, float layer)
 {
-  float depth = -textureLod(depthMaps, vec3(st, layer), 0.0).r;
+  float depth = -textureLod(depthMaps, vec3(texelCenter(st), layer), 0.0).r;
   return depth < emptyDepth ? depth : infinitelyFar;
 }
 

@@ -1,6 +1,9 @@
 // Proofs from the pyramid of depths: every tap of a kernel is blocked, or none is.
 
-uniform sampler2DArray depthPyramid; // (minimum, maximum) of d; texels of level k span 2^(k+1) map texels
+// (minimum, maximum) of d; texels of level k span 2^(k+1) map texels. All levels lie in one image, the
+// finest at the left and the others in a column beside it: drivers may fetch the four pixels of a quad
+// from one level of a texture, and then no pixel may have a level of its own.
+uniform sampler2DArray depthPyramid;
 
 struct DepthRange
 {
@@ -9,17 +12,22 @@ struct DepthRange
   float nearest;    // the least depth met
 };
 
-// The largest of the values in this pixel's quad.
-//
-// llvmpipe fetches the four pixels of a quad from one level, the first one's. Any level proves the
-// same, so it does not matter where derivatives are too coarse for this to be exact.
-int sameInQuad(int value)
+// Texels along an edge of the finest level, a power of two, and the number of the coarsest level.
+int pyramidSize()
 {
-  float largest = float(value);
-  vec2 side = 1.0 - 2.0 * mod(floor(gl_FragCoord.xy), 2.0);
-  largest = max(largest, largest + side.x * dFdx(largest));
-  largest = max(largest, largest + side.y * dFdy(largest));
-  return int(largest + 0.5);
+  return textureSize(depthPyramid, 0).y;
+}
+
+int coarsestLevel()
+{
+  return int(log2(float(pyramidSize())) + 0.5);
+}
+
+// Where a level lies in the image.
+ivec2 levelCorner(int level)
+{
+  int size = pyramidSize();
+  return level == 0 ? ivec2(0) : ivec2(size, size - ((2 * size) >> level));
 }
 
 // Compares the receiver's plane with all map texels in the rectangle center +- halfWidth.
@@ -33,22 +41,21 @@ DepthRange searchPyramid(MapPoint point, vec2 halfWidth, float layer)
   // The finest level on which the rectangle touches at most 4 texels along each axis.
   vec2 extent = (high - low) * depthMapSize;
   int level = int(max(ceil(log2(max(max(extent.x, extent.y), 1.0) / 3.0)) - 1.0, 0.0));
-  vec2 size = vec2(textureSize(depthPyramid, 0).xy);
-  int most = int(log2(size.x));
-  level = min(sameInQuad(min(level, most)), most);
+  level = min(level, coarsestLevel());
   if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, vec2(1.0))))
   {
     return range;
   }
-  ivec2 levelSize = max(ivec2(size) >> level, ivec2(1));
+  ivec2 corner = levelCorner(level);
+  int lastTexel = (pyramidSize() >> level) - 1;
   float span = float(2 << level) / depthMapSize; // edge of a pyramid texel in (s, t)
-  ivec2 first = clamp(ivec2(floor(low / span)), ivec2(0), levelSize - 1);
-  ivec2 last = clamp(ivec2(floor(high / span)), ivec2(0), levelSize - 1);
+  ivec2 first = clamp(ivec2(floor(low / span)), ivec2(0), ivec2(lastTexel));
+  ivec2 last = clamp(ivec2(floor(high / span)), ivec2(0), ivec2(lastTexel));
   for (int y = first.y; y <= last.y; ++y)
   {
     for (int x = first.x; x <= last.x; ++x)
     {
-      vec2 depths = texelFetch(depthPyramid, ivec3(x, y, int(layer)), level).rg;
+      vec2 depths = texelFetch(depthPyramid, ivec3(corner + ivec2(x, y), int(layer)), 0).rg;
       // The plane over the part of the texel that the rectangle covers.
       vec2 from = max(vec2(x, y) * span, low) - texel;
       vec2 to = min(vec2(x + 1, y + 1) * span, high) + texel;

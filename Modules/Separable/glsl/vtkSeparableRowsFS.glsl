@@ -36,29 +36,17 @@ vec4 searchRow(MapPoint point, float reach)
 void main()
 {
   Receiver receiver;
-  bool served = loadReceiver(ivec2(gl_FragCoord.xy), receiver) && lightReaches(receiver.positionVs);
-  MapPoint point = toMap(viewToMap, receiver);
-  if (!served)
-  {
-    point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true, vec2(0.0));
-  }
-  bool blocked = isBlocked(point, point.std.xy, mapLayer) ||
-    isInCrease(point, kernelScale, creaseReach, mapLayer);
-  // A plane that turns its back on the light's centre has rows for nobody, itself included.
-  bool serves = served && point.facesCenter;
-  // No ray to the light meets a blocker where a pixel was proved lit.
-  bool lit = provedByFootprint == 1 && !blocked;
-  // All pixels of a quad search, or none: the pyramid is looked up on one level for the four of them.
-  float reach = 0.0;
-  if (sameInQuad(serves && !lit ? 1 : 0) == 1)
-  {
-    float found = searchReach(point);
-    reach = serves && !lit ? found : 0.0;
-  }
-  if (!served)
+  if (!loadReceiver(ivec2(gl_FragCoord.xy), receiver) || !lightReaches(receiver.positionVs))
   {
     discard;
   }
+  MapPoint point = toMap(viewToMap, receiver);
+  bool blocked = isBlocked(point, point.std.xy, mapLayer) ||
+    isInCrease(point, kernelScale, creaseReach, mapLayer);
+  // No ray to the light meets a blocker where a pixel was proved lit. A plane that turns its back on
+  // the light's centre has rows for nobody, itself included.
+  bool lit = provedByFootprint == 1 && !blocked;
+  float reach = point.facesCenter && !lit ? searchReach(point) : 0.0;
   float side = point.facesCenter ? (blocked ? -1.0 : 1.0) : 0.0;
   gl_FragData[0] = vec4(point.std, side * max(reach, leastReach));
   gl_FragData[1] = reach > 0.0 ? searchRow(point, reach) : vec4(0.0);

@@ -39,8 +39,7 @@ int levelOf(vec2 reach)
 {
   float blocks = 2.0 * max(reach.x, reach.y) / float(searchWidth);
   // The pyramid's first level is the blocks of two texels.
-  int most = int(log2(float(textureSize(depthPyramid, 0).x)) + 0.5) + 1;
-  return min(int(max(ceil(log2(max(blocks, 1e-6))), 0.0)), most);
+  return min(int(max(ceil(log2(max(blocks, 1e-6))), 0.0)), coarsestLevel() + 1);
 }
 
 // Length of [low, high] within [from, to].
@@ -77,7 +76,8 @@ float shareOfBlock(vec2 center, vec2 image, vec2 block, float stride)
 void addPossible(MapPoint point, vec2 block, int level, vec2 pixelReach, inout Blockers blockers)
 {
   float stride = float(1 << level);
-  float depth = texelFetch(depthPyramid, ivec3(ivec2(block) >> level, int(mapLayer)), level - 1).r;
+  ivec2 texel = levelCorner(level - 1) + (ivec2(block) >> level);
+  float depth = texelFetch(depthPyramid, ivec3(texel, int(mapLayer)), 0).r;
   float plane = planeDepth(point, (block + 0.5 * stride) / depthMapSize);
   float reach = dot(abs(point.gradient), vec2(0.5 * stride / depthMapSize)) + point.bias;
   if (depth < point.std.z && (depth < plane + reach || !point.facesCenter))
@@ -156,8 +156,6 @@ float meanBlocker(MapPoint point, float farthest, vec2 pixelReach)
 }
 
 // False if nothing can block; else by how much of depth, at most, blockers stand in front.
-//
-// Every pixel of a quad comes here: the pyramid is looked up on one level for the four of them.
 bool mayBlockFrom(MapPoint point, vec2 pixelReach, out float farthest)
 {
   DepthRange range = searchPyramid(point, kernelScale * max(point.std.z - nearestDepth, 0.0) + pixelReach, mapLayer);
@@ -250,20 +248,15 @@ void main()
   gl_FragData[0] = vec4(0.0, 0.0, 0.0, VIRTUAL_UNSERVED);
   gl_FragData[1] = vec4(0.0);
   Receiver receiver;
-  bool served = loadReceiver(ivec2(gl_FragCoord.xy), receiver) && lightReaches(receiver.positionVs);
-  MapPoint point = toMap(viewToMap, receiver);
-  if (!served)
-  {
-    point = MapPoint(vec3(0.5, 0.5, 0.0), vec2(0.0), 0.0, true, vec2(0.0));
-  }
-  Footprint footprint = footprintOf(receiver, point);
-  vec2 pixelReach = served && antialiasing == 1 ? reachOf(footprint) : vec2(0.0);
-  float farthest;
-  bool mayBlock = mayBlockFrom(point, pixelReach, farthest);
-  if (!served)
+  if (!loadReceiver(ivec2(gl_FragCoord.xy), receiver) || !lightReaches(receiver.positionVs))
   {
     return;
   }
+  MapPoint point = toMap(viewToMap, receiver);
+  Footprint footprint = footprintOf(receiver, point);
+  vec2 pixelReach = antialiasing == 1 ? reachOf(footprint) : vec2(0.0);
+  float farthest;
+  bool mayBlock = mayBlockFrom(point, pixelReach, farthest);
   float inFront = shareInFront(point);
   if (inFront > 0.0 && isInCrease(point, kernelScale, creaseReach, mapLayer))
   {

@@ -59,21 +59,24 @@ TEST_P(ShadowDepthPyramid, HoldsMinimumAndMaximumOfEveryLevelAndLayer)
 
   vtkShadowTextureArray* texture = pyramid->GetTexture();
   ASSERT_EQ(texture->GetLayers(), 2);
-  ASSERT_GE(2 * texture->GetWidth(), resolution);
-  EXPECT_EQ(texture->GetWidth() >> (texture->GetLevels() - 1), 1) << "the last level is one texel";
+  ASSERT_GE(2 * pyramid->GetLevelSize(0), resolution);
+  const int levels = pyramid->GetNumberOfLevels();
+  EXPECT_EQ(pyramid->GetLevelSize(levels - 1), 1) << "the last level is one texel";
   for (int layer = 0; layer < 2; ++layer)
   {
     const std::vector<float> held = scene.Maps->GetTexture()->ReadLayer(layer);
-    for (int level = 0; level < texture->GetLevels(); ++level)
+    const std::vector<float> ranges = texture->ReadLayer(layer);
+    for (int level = 0; level < levels; ++level)
     {
-      const std::vector<float> ranges = texture->ReadLayer(layer, level);
-      const int size = texture->GetWidth() >> level;
+      const std::array<int, 2> corner = pyramid->GetLevelCorner(level);
+      const int size = pyramid->GetLevelSize(level);
       for (int y = 0; y < size; ++y)
       {
         for (int x = 0; x < size; ++x)
         {
           const auto expected = Expected(held, resolution, x, y, 2 << level);
-          const size_t at = 2 * (static_cast<size_t>(y) * size + x);
+          const size_t row = static_cast<size_t>(corner[1] + y) * texture->GetWidth();
+          const size_t at = 2 * (row + corner[0] + x);
           ASSERT_EQ(ranges[at], expected.first) << level << ": " << x << ", " << y;
           ASSERT_EQ(ranges[at + 1], expected.second) << level << ": " << x << ", " << y;
         }
