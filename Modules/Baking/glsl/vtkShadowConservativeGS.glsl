@@ -55,8 +55,6 @@ void main()
 
   vec3 low = min(min(corners[0], corners[1]), min(corners[2], corners[3]));
   vec3 high = max(max(corners[0], corners[1]), max(corners[2], corners[3]));
-  nearest = high.z;
-
   // The plane of the triangle. Seen edge-on it has no depth to interpolate: the nearest one holds.
   vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]) +
     cross(corners[2] - corners[0], corners[3] - corners[0]);
@@ -72,23 +70,30 @@ void main()
     ? (p.z * across + u.z * cross(v.xyw, p.xyw) + v.z * cross(p.xyw, u.xyw)) / volume
     : vec3(0.0, 0.0, high.z);
   // Brought to the nearest depth within a texel around its centre.
-  depthPlane = plane + vec3(0.0, 0.0, halfTexel * (abs(plane.x) + abs(plane.y)));
+  plane.z += halfTexel * (abs(plane.x) + abs(plane.y));
 
+  mat3x4 edges; // x, y, and the constant
   float turn = normal.z < 0.0 ? -1.0 : 1.0;
   for (int i = 0; i < 4; ++i)
   {
     vec2 a = corners[i].xy;
     vec2 along = turn * (corners[(i + 1) % 4].xy - a);
     vec2 outward = vec2(along.y, -along.x);
-    edgesX[i] = outward.x;
-    edgesY[i] = outward.y;
-    edgesC[i] = -dot(outward, a) - halfTexel * (abs(outward.x) + abs(outward.y));
+    edges[0][i] = outward.x;
+    edges[1][i] = outward.y;
+    edges[2][i] = -dot(outward, a) - halfTexel * (abs(outward.x) + abs(outward.y));
   }
 
   vec2 from = clamp(low.xy - halfTexel, vec2(-1.0), vec2(1.0));
   vec2 to = clamp(high.xy + halfTexel, vec2(-1.0), vec2(1.0));
   for (int i = 0; i < 4; ++i)
   {
+    // Outputs are undefined once a vertex was emitted.
+    edgesX = edges[0];
+    edgesY = edges[1];
+    edgesC = edges[2];
+    depthPlane = plane;
+    nearest = high.z;
     place = vec2((i & 1) == 0 ? from.x : to.x, (i & 2) == 0 ? from.y : to.y);
     gl_Position = vec4(place, 0.0, 1.0);
     EmitVertex();

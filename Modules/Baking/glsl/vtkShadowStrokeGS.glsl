@@ -41,10 +41,26 @@ vec3 anySide(vec3 direction)
   return normalize(cross(direction, axis));
 }
 
-void emitRectangle(vec3 places[2], vec3 sides[2], vec3 others[2])
+// What a stroke's fragments need, the same for all of them.
+struct Stroke
+{
+  vec3 start;
+  float radius;
+  vec3 along;
+  float growth;
+  float end;
+};
+
+void emitRectangle(Stroke stroke, vec3 places[2], vec3 sides[2], vec3 others[2])
 {
   for (int i = 0; i < 4; ++i)
   {
+    // Outputs are undefined once a vertex was emitted.
+    startLocal = stroke.start;
+    startRadius = stroke.radius;
+    alongLine = stroke.along;
+    growth = stroke.growth;
+    endOfLine = stroke.end;
     float halfWidth = findHalfWidth(places[i / 2]);
     placeLocal =
       places[i / 2] + halfWidth * ((i % 2 == 0 ? -1.0 : 1.0) * sides[i / 2] + others[i / 2]);
@@ -82,21 +98,16 @@ void main()
         isRound == 1 ? outward * abs(dot(line, ray)) / max(sine, 0.2) * line : vec3(0.0);
     }
   }
-  startLocal = ends[0];
-  startRadius = findRadius(ends[0]);
-  alongLine = isDot == 1 ? vec3(0.0) : line;
-  growth = isDot == 1 ? 0.0 : (findRadius(ends[1]) - startRadius) / lineLength;
-  endOfLine = isDot == 1 ? 0.0 : lineLength;
-  emitRectangle(ends, sides, others);
+  float radius = findRadius(ends[0]);
+  Stroke stroke = isDot == 1
+    ? Stroke(ends[0], radius, vec3(0.0), 0.0, 0.0)
+    : Stroke(ends[0], radius, line, (findRadius(ends[1]) - radius) / lineLength, lineLength);
+  emitRectangle(stroke, ends, sides, others);
   for (int i = 0; i < 2 && isDot == 0 && isRound == 1; ++i)
   {
     vec3 side = anySide(line);
-    startLocal = ends[i];
-    startRadius = findRadius(ends[i]);
-    alongLine = vec3(0.0);
-    growth = 0.0;
-    endOfLine = -1.0;
-    emitRectangle(vec3[2](ends[i], ends[i]), vec3[2](side, side),
+    Stroke lid = Stroke(ends[i], findRadius(ends[i]), vec3(0.0), 0.0, -1.0);
+    emitRectangle(lid, vec3[2](ends[i], ends[i]), vec3[2](side, side),
       vec3[2](-cross(line, side), cross(line, side)));
   }
 }
