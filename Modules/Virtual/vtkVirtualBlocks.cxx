@@ -109,7 +109,7 @@ void vtkVirtualBlocks::Draw()
   this->Program->SetUniformi("blockBounds", this->Bounds->Activate());
   this->Program->SetUniform2f("blockExtent", this->BlockExtent);
   this->VertexArray->Bind();
-  glDrawArrays(GL_TRIANGLES, 0, 6 * this->Bounds->GetWidth() * this->Bounds->GetHeight());
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * this->Bounds->GetWidth(), this->Bounds->GetHeight());
   this->VertexArray->Release();
   this->Bounds->Deactivate();
 }

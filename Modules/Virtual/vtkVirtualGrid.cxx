@@ -152,10 +152,10 @@ bool vtkVirtualGrid::DrawPoints(vtkOpenGLRenderWindow* window, vtkVirtualScreen&
   screen.Activate(this->PointProgram, vtkVirtualScreen::SHAPES);
   screen.Activate(this->PointProgram, vtkVirtualScreen::PREDICTIONS);
   vtkShadowTextureArray* shapes = screen.GetTexture(vtkVirtualScreen::SHAPES);
-  this->PointProgram->SetUniformi("screenWidth", shapes->GetWidth());
   this->PointProgram->SetUniformf("gridSize", static_cast<float>(GridSize));
   this->VertexArray->Bind();
-  glDrawArrays(GL_POINTS, 0, shapes->GetWidth() * shapes->GetHeight());
+  // Mesa's softpipe miscounts the vertices of long draws: rows are instances.
+  glDrawArraysInstanced(GL_POINTS, 0, shapes->GetWidth(), shapes->GetHeight());
   this->VertexArray->Release();
   screen.Deactivate();
   state->vtkglBlendEquationSeparate(equations[0], equations[1]);

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 
-// Two triangles for each block of pixels, made from nothing but their numbers: nowhere if no kernel of
-// the block reaches into the tile.
+// Two triangles for each block of pixels, made from nothing but their numbers in the row and the row's:
+// nowhere if no kernel of the block reaches into the tile.
 
 uniform sampler2DArray blockBounds; // least (s, t), and minus the greatest
 uniform vec2 blockExtent;           // of a block, in clip coordinates
@@ -10,11 +10,9 @@ uniform float depthMapSize;
 
 void main()
 {
-  int across = textureSize(blockBounds, 0).x;
-  int block = gl_VertexID / 6;
   int corner = gl_VertexID % 6;
   corner = corner < 3 ? corner : corner - 2; // 0 1 2, 1 2 3
-  ivec2 place = ivec2(block % across, block / across);
+  ivec2 place = ivec2(gl_VertexID / 6, gl_InstanceID);
   vec4 bounds = texelFetch(blockBounds, ivec3(place, 0), 0);
   // The filter's own margin, and rounding.
   vec2 margin = 0.01 * tileWindow.zw / depthMapSize + 4e-6;

@@ -1,11 +1,10 @@
 //VTK::System::Dec
 
-// Step 4: one point per pixel of the screen, made from nothing but its number, falls into the cell
-// of the grid that the pixel lies in on the map.
+// Step 4: one point per pixel of the screen, made from nothing but its number in the row and the row's,
+// falls into the cell of the grid that the pixel lies in on the map.
 
 uniform sampler2DArray kernelShapes; // (variance, state)
 uniform sampler2DArray predictions;  // (s, t, texel sizes)
-uniform int screenWidth;
 uniform float gridSize;
 
 flat out vec4 wish; // texel sizes, and minus the half extents of the kernel in (s, t)
@@ -13,11 +12,12 @@ flat out vec4 wish; // texel sizes, and minus the half extents of the kernel in 
 void main()
 {
   gl_PointSize = 1.0;
-  ivec3 pixel = ivec3(gl_VertexID % screenWidth, gl_VertexID / screenWidth, 0);
+  ivec3 pixel = ivec3(gl_VertexID, gl_InstanceID, 0);
   vec4 shape = texelFetch(kernelShapes, pixel, 0);
   vec4 prediction = texelFetch(predictions, pixel, 0);
   if (shape.w < VIRTUAL_PENUMBRA)
   {
+    wish = vec4(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // nowhere
     return;
   }
