@@ -17,6 +17,7 @@
 #include "vtkSoftShadowMapperDec.h"
 #include "vtkSoftShadowMapperReceive.h"
 #include "vtkSoftShadowMapperSmooth.h"
+#include "vtkSoftShadowMapperSteps.h"
 
 #include <algorithm>
 
@@ -25,6 +26,7 @@ namespace
 {
 const char* const BendMark = "//SoftShadows::Bend\n";
 const char* const SmoothMark = "//SoftShadows::Smooth\n";
+const char* const StepsMark = "//SoftShadows::Steps\n";
 const char* const ReceiveMark = "//SoftShadows::Receive\n";
 const char* const ShadeMark = "//SoftShadows::Shade\n";
 
@@ -75,13 +77,19 @@ void PutBend(
   }
 }
 
+// Whether the position is not that of the triangle, as in VTK's sphere and stick mappers.
+bool MovesPosition(const std::string& fragmentShader)
+{
+  return Contains(fragmentShader, "vertexVC.xyz =");
+}
+
 // Whether some fragment's depth is neither that of its triangle nor that of vertexVC. Offsets for
 // coincident topology settle which of two surfaces is seen and move neither of them.
 bool MovesDepth(const std::string& fragmentShader)
 {
-  if (Contains(fragmentShader, "vertexVC.xyz ="))
+  if (MovesPosition(fragmentShader))
   {
-    return false; // spheres and sticks, which keep both together
+    return false; // which keep both together
   }
   const std::string assignment = "gl_FragDepth =";
   for (size_t at = fragmentShader.find(assignment); at != std::string::npos;
@@ -153,6 +161,8 @@ void vtkSoftShadowMapperHooks::PreReplace(
     fragmentShader, "//VTK::Light::Dec", declarations + SmoothMark + "//VTK::Light::Dec", false);
   const std::string position = "//VTK::PositionVC::Impl";
   vtkShaderProgram::Substitute(vertexShader, position, position + "\n" + BendMark, false);
+  const std::string flow = "//VTK::UniformFlow::Impl";
+  vtkShaderProgram::Substitute(fragmentShader, flow, StepsMark + flow, false);
   vtkShaderProgram::Substitute(
     fragmentShader, light, (late ? "" : ReceiveMark) + std::string(ShadeMark) + light, false);
   if (late)
@@ -174,6 +184,12 @@ std::string vtkSoftShadowMapperHooks::PostReplace(
   const std::string receive = isDeclared && hasPosition
     ? ReceiveDefinitions(fragmentShader) + vtkSoftShadowMapperReceive
     : std::string();
+  // A position or depth that is moved is known later, as are the steps.
+  const std::string steps = !receive.empty() && !MovesPosition(fragmentShader) &&
+      !Contains(receive, "#define SOFT_SHADOW_MOVED_DEPTH")
+    ? vtkSoftShadowMapperSteps
+    : "";
+  vtkShaderProgram::Substitute(fragmentShader, StepsMark, steps, false);
   const bool receives = vtkShaderProgram::Substitute(fragmentShader, ReceiveMark, receive, false);
   const bool shades = vtkShaderProgram::Substitute(fragmentShader, ShadeMark, lights, false);
   if (!usesLights || (isDeclared && shades && receives && hasPosition && !lights.empty()))

@@ -1,14 +1,16 @@
   if (softShadowStage == SOFT_SHADOW_STAGE_RECEIVE)
   {
     vec3 softShadowPosition = vertexVC.xyz;
+#if defined(SOFT_SHADOW_TUBE) && !defined(SOFT_SHADOW_STEPS)
+    vec3 softShadowX = dFdx(vertexVC.xyz);
+    vec3 softShadowY = dFdy(vertexVC.xyz);
+#endif
 #if defined(SOFT_SHADOW_SPHERE) || defined(SOFT_SHADOW_TUBE)
     // A point or a line drawn as a sphere or a tube: vertexVC is its middle, and VTK's normal is that of
     // a body straight before the camera. Here it is turned to where the body is.
     vec3 softShadowFront = cameraParallel == 1 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz);
     float softShadowRadius = ZCalcR * (cameraParallel == 1 ? 1.0 : -vertexVC.z);
 #ifdef SOFT_SHADOW_TUBE
-    vec3 softShadowX = dFdx(vertexVC.xyz);
-    vec3 softShadowY = dFdy(vertexVC.xyz);
     vec3 softShadowAxis = normalize(
       dot(softShadowX, softShadowX) > dot(softShadowY, softShadowY) ? softShadowX : softShadowY);
     vec3 softShadowSide = normalize(cross(softShadowAxis, softShadowFront));
@@ -41,8 +43,10 @@
     }
 #endif
     // The plane of the visible triangle; the screen's x and y span it so that it faces the camera.
+#ifndef SOFT_SHADOW_STEPS
     vec3 softShadowX = dFdx(softShadowPosition);
     vec3 softShadowY = dFdy(softShadowPosition);
+#endif
     vec3 softShadowNormal = cross(normalize(softShadowX), normalize(softShadowY));
 #endif
     float softShadowLength = length(softShadowNormal);
