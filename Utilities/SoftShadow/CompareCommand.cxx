@@ -7,6 +7,7 @@
 
 #include "DifferencePicture.h"
 #include "ErrorReport.h"
+#include "ShiftedEdges.h"
 #include "Silhouettes.h"
 #include "VisibilityFile.h"
 
@@ -31,6 +32,7 @@ struct CompareOptions
   std::string Picture;
   double Range = DefaultDifferenceRange;
   std::string Report;
+  bool LeavesOutEdges = false;
 };
 
 //--------------------------------------------------------------------------------------------------
@@ -89,6 +91,22 @@ void WriteReport(const std::string& path, const nlohmann::ordered_json& report)
 }
 
 //--------------------------------------------------------------------------------------------------
+// Adds them to the pixels that are left out, and returns how many it added.
+int AddShiftedEdges(int width, int height, const std::vector<float>& truth,
+  const std::vector<float>& estimate, std::vector<unsigned char>& leftOut)
+{
+  const std::vector<unsigned char> edges = FindShiftedEdges(width, height, truth, estimate);
+  leftOut.resize(edges.size(), 0);
+  int added = 0;
+  for (size_t i = 0; i < edges.size(); ++i)
+  {
+    added += edges[i] != 0 && leftOut[i] == 0 ? 1 : 0;
+    leftOut[i] = edges[i] != 0 ? 1 : leftOut[i];
+  }
+  return added;
+}
+
+//--------------------------------------------------------------------------------------------------
 void Compare(const CompareOptions& options)
 {
   const VisibilityImage reference = ReadVisibility(options.Reference);
@@ -111,11 +129,20 @@ void Compare(const CompareOptions& options)
   {
     const std::vector<float>& truth = reference.Visibility[light];
     const std::vector<float>& estimate = candidate.Visibility[light];
+    std::vector<unsigned char> without = leftOut;
+    const int edges = options.LeavesOutEdges
+      ? AddShiftedEdges(reference.Width, reference.Height, truth, estimate, without)
+      : 0;
     const VisibilityErrors errors =
-      MeasureErrors(reference.Width, reference.Height, truth, estimate, leftOut);
+      MeasureErrors(reference.Width, reference.Height, truth, estimate, without);
     std::cout << "Light " << light << '\n';
     PrintErrors(std::cout, errors);
     nlohmann::ordered_json entry = ToJson(errors);
+    if (options.LeavesOutEdges)
+    {
+      entry["shifted_edges"] = edges;
+      std::cout << "Left out at edges: " << edges << " pixels\n";
+    }
     entry["light"] = light;
     report["lights"].push_back(entry);
     if (!options.Picture.empty())
@@ -152,6 +179,11 @@ void AddCompareCommand(CLI::App& app)
       "--diff-range", options->Range, "The error that has the picture's strongest colour")
     ->check(NumberAboveZero())
     ->capture_default_str();
+  command->add_flag("--without-edges", options->LeavesOutEdges,
+    "Leave out pixels that lie on the other side of an edge alone: off by more than 0.02, with a "
+    "value "
+    "that the reference has beside them. Between two drivers, not between a technique and the "
+    "truth");
   command->add_option("--report", options->Report, "Write the numbers as JSON");
   command->callback([options] { Compare(*options); });
 }

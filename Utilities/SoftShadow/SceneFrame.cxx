@@ -19,6 +19,24 @@
 
 namespace softshadows
 {
+namespace
+{
+
+//--------------------------------------------------------------------------------------------------
+// A line of what VTK says of OpenGL.
+std::string FindCapability(const std::string& report, const std::string& name)
+{
+  const std::size_t start = report.find(name);
+  if (start == std::string::npos)
+  {
+    return "unknown";
+  }
+  const std::size_t first = report.find_first_not_of(' ', start + name.size());
+  return report.substr(first, report.find('\n', first) - first);
+}
+
+}
+
 //--------------------------------------------------------------------------------------------------
 SceneFrame::SceneFrame(const BuiltScene& scene, vtkSoftShadowPass* pass, int width, int height)
   : Scene(scene)
@@ -105,14 +123,8 @@ VisibilityImage SceneFrame::GetVisibility() const
 std::string SceneFrame::GetDriver() const
 {
   const std::string report = this->Window->ReportCapabilities();
-  const std::string name = "OpenGL renderer string:";
-  const std::size_t start = report.find(name);
-  if (start == std::string::npos)
-  {
-    return "unknown";
-  }
-  const std::size_t first = report.find_first_not_of(' ', start + name.size());
-  return report.substr(first, report.find('\n', first) - first);
+  return FindCapability(report, "OpenGL renderer string:") + ", OpenGL " +
+    FindCapability(report, "OpenGL version string:");
 }
 
 }

@@ -47,7 +47,7 @@ public:
   /// From the call of Render to the last pixel, in milliseconds.
   double GetMilliseconds() const { return this->Milliseconds; }
 
-  /// Of OpenGL, as the driver calls itself.
+  /// Of OpenGL: what the driver calls itself, and its version.
   std::string GetDriver() const;
 
   vtkSoftShadowPass* GetPass() const { return this->Pass; }
