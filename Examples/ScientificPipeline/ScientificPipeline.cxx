@@ -145,7 +145,7 @@ void Build(Pipeline& p)
   p.Bar->SetLookupTable(p.Colors);
   p.Bar->SetTitle("density");
   p.Bar->SetNumberOfLabels(5);
-  p.Renderer->AddActor2D(p.Bar);
+  p.Renderer->AddViewProp(p.Bar);
 
   // Many maps: they are kept while the camera moves, and tubes at many depths need them.
   p.Shadows->SetNumberOfSamples(49);

@@ -307,25 +307,25 @@ std::string GltfDocument::Text(const json& element, const std::string& name, con
 }
 
 //--------------------------------------------------------------------------------------------------
-const json& GltfDocument::List(const json& element, const std::string& name, const char* key)
+const json& GltfDocument::List(const json& element, std::string_view name, const char* key)
 {
   static const json none = json::array();
   const auto found = element.find(key);
   if (found != element.end() && !found->is_array())
   {
-    Damaged("'" + std::string(key) + "' of " + name + " is not a list");
+    Damaged("'" + std::string(key) + "' of " + std::string(name) + " is not a list");
   }
   return found == element.end() ? none : *found;
 }
 
 //--------------------------------------------------------------------------------------------------
-const json& GltfDocument::Object(const json& element, const std::string& name, const char* key)
+const json& GltfDocument::Object(const json& element, std::string_view name, const char* key)
 {
   static const json none = json::object();
   const auto found = element.find(key);
   if (found != element.end() && !found->is_object())
   {
-    Damaged("'" + std::string(key) + "' of " + name + " is not an object");
+    Damaged("'" + std::string(key) + "' of " + std::string(name) + " is not an object");
   }
   return found == element.end() ? none : *found;
 }

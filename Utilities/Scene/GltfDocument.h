@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace softshadows
@@ -61,10 +62,10 @@ public:
   static std::string Text(const nlohmann::json& element, const std::string& name, const char* key);
   /// An empty list if it is not there.
   static const nlohmann::json& List(
-    const nlohmann::json& element, const std::string& name, const char* key);
+    const nlohmann::json& element, std::string_view name, const char* key);
   /// An empty object if it is not there.
   static const nlohmann::json& Object(
-    const nlohmann::json& element, const std::string& name, const char* key);
+    const nlohmann::json& element, std::string_view name, const char* key);
   /// Returns whether they are there; as many as `count`, or fewer are an error.
   static bool Numbers(const nlohmann::json& element, const std::string& name, const char* key,
     int count, double* values);

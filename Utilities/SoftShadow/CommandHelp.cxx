@@ -82,11 +82,29 @@ std::string Explain(const CLI::App* app, const CLI::Error& error)
   return text + "Run softshadow" + name + " --help for more.\n";
 }
 
+//--------------------------------------------------------------------------------------------------
+// Newer versions of the library would join the examples' lines.
+template <typename Formatter>
+auto KeepLines(Formatter& formatter, int) -> decltype(formatter.enable_footer_formatting(false))
+{
+  formatter.enable_footer_formatting(false);
+}
+
+template <typename Formatter>
+void KeepLines(Formatter&, long)
+{
+}
+
 }
 
 //--------------------------------------------------------------------------------------------------
 void AddHelp(CLI::App& app)
 {
+  KeepLines(*app.get_formatter(), 0);
+  for (CLI::App* command : app.get_subcommands({}))
+  {
+    command->group("Subcommands"); // versions differ in the name they give it
+  }
   app.set_version_flag(
     "--version", "softshadow " SOFTSHADOWS_VERSION " (VTK " VTK_VERSION ")", "Print the version");
   app.footer(Examples);

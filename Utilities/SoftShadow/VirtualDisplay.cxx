@@ -6,6 +6,7 @@
 #ifdef __linux__
 
 #include "vtkNew.h"
+#include "vtkObject.h"
 #include "vtkRenderWindow.h"
 
 #ifdef SOFTSHADOWS_HAVE_X11
@@ -36,6 +37,19 @@ const char* const Advice =
   "there is no display, and VTK as it is installed here cannot draw without "
   "one. Install Xvfb (on Debian: apt-get install xvfb), which is then "
   "started by itself, or set DISPLAY";
+
+/// While VTK tries what kind of window it can make.
+class Silence
+{
+public:
+  Silence() { vtkObject::GlobalWarningDisplayOff(); }
+  ~Silence() { vtkObject::SetGlobalWarningDisplay(this->Warns); }
+  Silence(const Silence&) = delete;
+  void operator=(const Silence&) = delete;
+
+private:
+  int Warns = vtkObject::GetGlobalWarningDisplay();
+};
 
 bool DisplayAnswers()
 {
@@ -102,6 +116,27 @@ std::string ReadNumber(int end)
   }
 }
 
+/// Whether VTK draws without a display. Where it chooses among kinds of windows at run time (9.4 and newer)
+/// it is told which to make: it would else try the X Window System's for every window, and complain.
+bool DrawsWithoutDisplay()
+{
+  constexpr const char* choice = "VTK_DEFAULT_OPENGL_WINDOW";
+  const bool isChosen = std::getenv(choice) != nullptr;
+  const Silence silence;
+  if (!isChosen)
+  {
+    setenv(choice, "vtkEGLRenderWindow", 1);
+  }
+  const vtkNew<vtkRenderWindow> window; // made, not opened
+  const bool draws =
+    !window->IsA("vtkXOpenGLRenderWindow") && (isChosen || !window->IsA("vtkOSOpenGLRenderWindow"));
+  if (!isChosen && !draws)
+  {
+    unsetenv(choice);
+  }
+  return draws;
+}
+
 void EndServer(int process)
 {
   kill(process, SIGTERM);
@@ -115,14 +150,16 @@ void EndServer(int process)
 //--------------------------------------------------------------------------------------------------
 bool HasDisplay()
 {
+  const Silence silence;
   const vtkNew<vtkRenderWindow> window; // made, not opened
-  return !window->IsA("vtkXOpenGLRenderWindow") || DisplayAnswers();
+  const bool isUnseen = window->IsA("vtkEGLRenderWindow") || window->IsA("vtkOSOpenGLRenderWindow");
+  return !isUnseen && (!window->IsA("vtkXOpenGLRenderWindow") || DisplayAnswers());
 }
 
 //--------------------------------------------------------------------------------------------------
 VirtualDisplay::VirtualDisplay()
 {
-  if (HasDisplay())
+  if (DisplayAnswers() || DrawsWithoutDisplay())
   {
     return;
   }

@@ -12,8 +12,8 @@ namespace softshadows
 {
 
 /**
- * Whether VTK's windows can open: always where they need no X Window System. DISPLAY is asked once,
- * over a connection that stays open until the program ends, so that this was not the server's last.
+ * Whether VTK's windows can be seen. DISPLAY is asked once, over a connection that stays open until the
+ * program ends, so that this was not the server's last.
  */
 bool HasDisplay();
 

@@ -71,16 +71,16 @@ MenuPainter::MenuPainter(vtkRenderer* renderer)
   mapper->SetScalarModeToUseCellData();
   this->GroundActor->SetMapper(mapper);
   this->GroundActor->GetProperty()->SetDisplayLocationToForeground();
-  this->Renderer->AddActor2D(this->GroundActor);
+  this->Renderer->AddViewProp(this->GroundActor);
 }
 
 //--------------------------------------------------------------------------------------------------
 MenuPainter::~MenuPainter()
 {
-  this->Renderer->RemoveActor2D(this->GroundActor);
+  this->Renderer->RemoveViewProp(this->GroundActor);
   for (const auto& text : this->Texts)
   {
-    this->Renderer->RemoveActor2D(text);
+    this->Renderer->RemoveViewProp(text);
   }
 }
 
@@ -148,7 +148,7 @@ void MenuPainter::AddText(const MenuBox& box, int font)
   {
     this->Texts.push_back(vtkSmartPointer<vtkTextActor>::New());
     this->Texts.back()->SetTextScaleModeToNone();
-    this->Renderer->AddActor2D(this->Texts.back());
+    this->Renderer->AddViewProp(this->Texts.back());
   }
   vtkTextActor* actor = this->Texts[this->UsedTexts++];
   actor->SetInput(box.Text.c_str());

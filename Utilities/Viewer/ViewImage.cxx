@@ -24,13 +24,13 @@ ViewImage::ViewImage(vtkRenderer* renderer)
   mapper->SetColorLevel(127.5);
   this->Actor->SetMapper(mapper);
   this->Actor->SetVisibility(false);
-  this->Renderer->AddActor2D(this->Actor);
+  this->Renderer->AddViewProp(this->Actor);
 }
 
 //--------------------------------------------------------------------------------------------------
 ViewImage::~ViewImage()
 {
-  this->Renderer->RemoveActor2D(this->Actor);
+  this->Renderer->RemoveViewProp(this->Actor);
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -101,7 +101,7 @@ TEST(Techniques, RefuseWhatIsUnknownAndSayWhatThereIs)
   EXPECT_EQ(ErrorOf([] { FindTechnique("pccs"); })
               .find("there is no technique 'pccs'; did you mean 'pcss'? Known are: sampled, pcss"),
     0u);
-  const Technique& pcss = FindTechnique("pcss");
+  const Technique pcss = FindTechnique("pcss");
   EXPECT_EQ(ErrorOf(
               [&] {
                 CreatePass(pcss, { { "samples", "4" } });
