@@ -4,17 +4,23 @@
  * @file
  * What a frame with shadows costs beside a frame without: VTK's plain frame, VTK's vtkShadowMapPass
  * and ours, in one process, one frame of each in turn so that drift hits all alike. Prints medians in
- * milliseconds and their ratios to the plain frame as a Markdown table.
+ * milliseconds and their ratios to the plain frame as a Markdown table; for our passes also the sum of
+ * the steps that timer queries measured.
  *
- * Usage: SoftShadowsFrameCost [--frames N] [MODEL.ply]...
+ * Usage: SoftShadowsFrameCost [--frames N] [--size WIDTH HEIGHT] [--techniques] [MODEL.ply]...
+ * With --techniques every technique that draws with OpenGL alone takes part, at its defaults, and the
+ * other races are left out.
  */
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
 #include "vtkAutoInit.h"
+#include "vtkBilateralSoftShadowPass.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
+#include "vtkCascadedSoftShadowPass.h"
 #include "vtkLightsPass.h"
+#include "vtkMarchedSoftShadowPass.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -28,10 +34,13 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSampledSoftShadowPass.h"
+#include "vtkScreenSpaceSoftShadowPass.h"
+#include "vtkSeparableSoftShadowPass.h"
 #include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkSphereSource.h"
+#include "vtkVirtualSoftShadowPass.h"
 #ifdef SOFTSHADOWS_HAS_TRACED
 #include "vtkTracedSoftShadowPass.h"
 #endif
@@ -42,6 +51,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -58,10 +68,14 @@ struct Contestant
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkAreaLight> Light;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
+  vtkSmartPointer<vtkSoftShadowPass> Pass; // if it is one of ours
   std::vector<double> Milliseconds;
+  std::vector<double> StepMilliseconds; // what the timer queries of a frame say
 };
 
 using Scene = std::function<void(Contestant&)>;
+
+int WindowSize[2] = { 640, 480 };
 
 //--------------------------------------------------------------------------------------------------
 void AddActor(Contestant& contestant, vtkAlgorithm* source)
@@ -130,7 +144,7 @@ void SetUp(Contestant& contestant, const Scene& scene)
   contestant.Renderer->ResetCameraClippingRange();
   contestant.Window->SetOffScreenRendering(1);
   contestant.Window->SetMultiSamples(0);
-  contestant.Window->SetSize(640, 480);
+  contestant.Window->SetSize(WindowSize);
   contestant.Window->AddRenderer(contestant.Renderer);
 }
 
@@ -140,6 +154,7 @@ void UseSoftShadows(Contestant& contestant, vtkSoftShadowPass* pass)
   vtkNew<vtkRenderStepsPass> steps;
   steps->SetOpaquePass(pass);
   contestant.Renderer->SetPass(steps);
+  contestant.Pass = pass;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -172,6 +187,17 @@ double Time(Contestant& contestant, const std::function<void(Contestant&)>& chan
 }
 
 //--------------------------------------------------------------------------------------------------
+double SumOfSteps(const Contestant& contestant)
+{
+  double sum = 0.0;
+  for (const auto& step : contestant.Pass->GetStatistics().Milliseconds)
+  {
+    sum += step.second;
+  }
+  return sum;
+}
+
+//--------------------------------------------------------------------------------------------------
 double Median(std::vector<double> values)
 {
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
@@ -191,6 +217,10 @@ void Race(const std::string& title, std::vector<Contestant>& contestants, int fr
       if (frame >= 2)
       {
         contestant.Milliseconds.push_back(milliseconds);
+        if (contestant.Pass)
+        {
+          contestant.StepMilliseconds.push_back(SumOfSteps(contestant));
+        }
       }
     }
   }
@@ -200,9 +230,13 @@ void Race(const std::string& title, std::vector<Contestant>& contestants, int fr
     const double median = Median(contestant.Milliseconds);
     const auto range =
       std::minmax_element(contestant.Milliseconds.begin(), contestant.Milliseconds.end());
-    std::printf("| %s | %s | %.1f | %.1f to %.1f | %.2f |\n", title.c_str(),
-      contestant.Name.c_str(), median, *range.first, *range.second, median / unit);
+    const std::string steps = contestant.StepMilliseconds.empty()
+      ? std::string()
+      : std::to_string(Median(contestant.StepMilliseconds));
+    std::printf("| %s | %s | %.1f | %.1f to %.1f | %.2f | %.6s |\n", title.c_str(),
+      contestant.Name.c_str(), median, *range.first, *range.second, median / unit, steps.c_str());
     contestant.Milliseconds.clear();
+    contestant.StepMilliseconds.clear();
   }
   std::fflush(stdout);
 }
@@ -213,6 +247,13 @@ void MoveCamera(Contestant& contestant)
 }
 
 void MoveNothing(Contestant&) {}
+
+void MoveLight(Contestant& contestant)
+{
+  double position[3];
+  contestant.Light->GetPosition(position);
+  contestant.Light->SetPosition(position[0] + 0.01, position[1], position[2]);
+}
 
 void MoveActors(Contestant& contestant)
 {
@@ -312,12 +353,82 @@ void RaceTraced(const std::string& title, const Scene& scene, int frames)
 }
 
 #endif
+//--------------------------------------------------------------------------------------------------
+template <class PassType>
+void AddTechnique(
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkSoftShadowPass>>>& techniques,
+  const char* name)
+{
+  techniques.emplace_back(name, vtkSmartPointer<PassType>::New());
+}
+
+//--------------------------------------------------------------------------------------------------
+// Every technique at its defaults, beside VTK's plain frame and its own shadows.
+void RaceTechniques(const std::string& title, const Scene& scene, int frames)
+{
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkSoftShadowPass>>> techniques;
+  vtkNew<vtkSampledSoftShadowPass> hard;
+  hard->SetNumberOfSamples(1);
+  techniques.emplace_back("hard", hard.Get());
+  AddTechnique<vtkSampledSoftShadowPass>(techniques, "sampled");
+  AddTechnique<vtkPercentageCloserSoftShadowPass>(techniques, "pcss");
+  AddTechnique<vtkSeparableSoftShadowPass>(techniques, "sssm");
+  AddTechnique<vtkScreenSpaceSoftShadowPass>(techniques, "ssabss");
+  AddTechnique<vtkCascadedSoftShadowPass>(techniques, "cascaded");
+  AddTechnique<vtkBilateralSoftShadowPass>(techniques, "sbfs");
+  AddTechnique<vtkVirtualSoftShadowPass>(techniques, "pvssm");
+  AddTechnique<vtkMarchedSoftShadowPass>(techniques, "marched");
+
+  std::vector<Contestant> contestants(2 + techniques.size());
+  for (size_t i = 0; i < contestants.size(); ++i)
+  {
+    SetUp(contestants[i], scene);
+    if (i >= 2)
+    {
+      contestants[i].Name = techniques[i - 2].first;
+      UseSoftShadows(contestants[i], techniques[i - 2].second);
+    }
+  }
+  contestants[0].Name = "VTK plain";
+  contestants[1].Name = "VTK vtkShadowMapPass, 2048";
+  UseShadowMaps(contestants[1], 2048);
+  Race(title + ", nothing moves", contestants, frames, MoveNothing);
+  Race(title + ", camera moves", contestants, frames, MoveCamera);
+  Race(title + ", light moves", contestants, frames, MoveLight);
+}
+
+//--------------------------------------------------------------------------------------------------
+// What the driver calls itself, so that figures have a name.
+void PrintDriver()
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->Render();
+  std::istringstream report(window->ReportCapabilities());
+  std::string line;
+  while (std::getline(report, line))
+  {
+    if (line.rfind("OpenGL renderer", 0) == 0 || line.rfind("OpenGL version", 0) == 0)
+    {
+      std::printf("%s\n", line.c_str());
+    }
+  }
+  std::printf("%d x %d pixels\n\n", WindowSize[0], WindowSize[1]);
+}
+
+//--------------------------------------------------------------------------------------------------
+std::string NameOfModel(const std::string& file)
+{
+  return file.substr(file.find_last_of('/') + 1);
+}
+
 } // namespace
 
 //--------------------------------------------------------------------------------------------------
 int main(int argc, char** argv)
 {
   int frames = 15;
+  bool techniques = false;
   std::vector<std::string> models;
   for (int i = 1; i < argc; ++i)
   {
@@ -325,12 +436,38 @@ int main(int argc, char** argv)
     {
       frames = std::max(std::atoi(argv[++i]), 1);
     }
+    else if (std::string(argv[i]) == "--size" && i + 2 < argc)
+    {
+      WindowSize[0] = std::max(std::atoi(argv[++i]), 1);
+      WindowSize[1] = std::max(std::atoi(argv[++i]), 1);
+    }
+    else if (std::string(argv[i]) == "--techniques")
+    {
+      techniques = true;
+    }
     else
     {
       models.emplace_back(argv[i]);
     }
   }
-  std::printf("| scene | frame | median ms | range | ratio |\n| --- | --- | --- | --- | --- |\n");
+  if (techniques)
+  {
+    PrintDriver();
+  }
+  std::printf("| scene | frame | median ms | range | ratio | steps ms |\n"
+              "| --- | --- | --- | --- | --- | --- |\n");
+  if (techniques)
+  {
+    RaceTechniques(
+      "100 spheres", [](Contestant& contestant) { AddSpheres(contestant, 100); }, frames);
+    for (const std::string& model : models)
+    {
+      RaceTechniques(
+        NameOfModel(model), [&model](Contestant& contestant) { AddModel(contestant, model); },
+        frames);
+    }
+    return 0;
+  }
   for (const int count : { 10, 1000 })
   {
     RaceStillShadows(
@@ -339,7 +476,7 @@ int main(int argc, char** argv)
   }
   for (const std::string& model : models)
   {
-    const std::string name = model.substr(model.find_last_of('/') + 1);
+    const std::string name = NameOfModel(model);
     const Scene scene = [&model](Contestant& contestant) { AddModel(contestant, model); };
     RaceStillShadows(name, scene, frames);
     RaceEarlyOut(name, scene, std::min(frames, 5));
