@@ -8,7 +8,8 @@
 #     tar xf softshadows-gpu.tar.xz && softshadows-gpu/run.sh [frames]
 # prints a table of all techniques that draw with OpenGL, of VTK's plain frame and of its own shadows, at
 # 1920 x 1080 (SIZE="WIDTH HEIGHT" changes that), and leaves it in results.md and results.json. What belongs to
-# the machine's driver and C library is not in the archive; what only X11 needs is used where it is missing.
+# the machine's driver and C library is not in the archive; what the driver may need in a newer version (libstdc++
+# among them), X11 and the ways to the driver (libglvnd) are used only where they are missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 build="${1:-build/test}"
@@ -26,8 +27,9 @@ cp Testing/Data/bunny.ply Testing/Data/dragon.ply "$bundle/models/"
 while read -r name file; do
     case "$name" in
         libc.so.* | libm.so.* | libdl.so.* | librt.so.* | libpthread.so.* | ld-linux*) ;;
-        libGL.so.* | libGLX.so.* | libGLdispatch.so.* | libOpenGL.so.* | libEGL.so.*) ;;
-        libX* | libxcb* | libICE* | libSM* | libbsd* | libmd.so.* | libuuid*)
+        libGLEW.so.*) cp -L "$file" "$bundle/lib/$name" ;;
+        libstdc++.so.* | libgcc_s.so.* | libz.so.* | liblzma.so.* | \
+            libGL*.so.* | libOpenGL.so.* | libX* | libxcb* | libICE* | libSM* | libbsd* | libmd.so.* | libuuid*)
             cp -L "$file" "$bundle/lib-if-missing/$name"
             ;;
         *) cp -L "$file" "$bundle/lib/$name" ;;
