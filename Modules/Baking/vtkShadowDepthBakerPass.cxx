@@ -16,6 +16,7 @@
 #include "vtkShadowLightSampling.h"
 #include "vtkShadowLimits.h"
 #include "vtkShadowMapFitter.h"
+#include "vtkShadowMapStore.h"
 
 #include <algorithm>
 #include <sstream>
@@ -26,13 +27,12 @@ vtkStandardNewMacro(vtkShadowDepthBakerPass);
 
 namespace
 {
-// A lit light of the last frame. Maps go from frame to frame with their light.
+// A lit light of the last frame.
 struct BakedLight
 {
-  vtkLight* Light = nullptr; // compared, never followed
-  vtkSmartPointer<vtkShadowDepthMaps> Maps;
+  vtkLight* Light = nullptr;          // compared, never followed
+  vtkShadowDepthMaps* Maps = nullptr; // the store's
   std::string Report;
-  bool Casts = false;
 };
 
 std::vector<vtkShadowMapView> FitViews(
@@ -54,44 +54,28 @@ std::vector<vtkShadowMapView> FitViews(
 class vtkShadowDepthBakerPass::Internals
 {
 public:
+  vtkShadowMapStore Store;
   std::vector<BakedLight> Lights;
-  std::vector<BakedLight> Previous;
   std::string ToldWanted; // with a warning, as of the last frame
   std::string ToldLost;
 
-  BakedLight TakeFromPrevious(vtkLight* light)
-  {
-    const auto found = std::find_if(this->Previous.begin(), this->Previous.end(),
-      [light](const BakedLight& baked) { return baked.Light == light; });
-    BakedLight baked;
-    if (found != this->Previous.end())
-    {
-      baked = *found;
-      this->Previous.erase(found);
-    }
-    baked.Light = light;
-    baked.Report.clear();
-    baked.Casts = false;
-    return baked;
-  }
-
-  BakedLight* Find(vtkLight* light)
+  const BakedLight* Find(const vtkLight* light) const
   {
     const auto found = std::find_if(this->Lights.begin(), this->Lights.end(),
-      [light](const BakedLight& baked) { return baked.Light == light && baked.Casts; });
+      [light](const BakedLight& baked) { return baked.Light == light && baked.Maps; });
     return found == this->Lights.end() ? nullptr : &*found;
   }
 
-  static void Release(std::vector<BakedLight>& lights, vtkWindow* window)
+  // Lights that went out or away.
+  void ReleaseOthers(const std::vector<BakedLight>& previous)
   {
-    for (BakedLight& baked : lights)
+    for (const BakedLight& baked : previous)
     {
-      if (baked.Maps)
+      if (baked.Maps && !this->Find(baked.Light))
       {
-        baked.Maps->ReleaseGraphicsResources(window);
+        this->Store.Release({ baked.Light, 0, 0 });
       }
     }
-    lights.clear();
   }
 };
 
@@ -121,8 +105,9 @@ void vtkShadowDepthBakerPass::Render(const vtkRenderState* s)
   {
     wanted << "maps of " << this->MapSize << " texels along an edge, ";
   }
-  impl.Previous.swap(impl.Lights);
-  impl.Lights.clear();
+  std::vector<BakedLight> previous;
+  previous.swap(impl.Lights);
+  impl.Store.Begin(renderer);
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator iterator;
   lights->InitTraversal(iterator);
@@ -132,17 +117,17 @@ void vtkShadowDepthBakerPass::Render(const vtkRenderState* s)
     {
       continue;
     }
-    BakedLight baked = impl.TakeFromPrevious(light);
+    BakedLight baked;
+    baked.Light = light;
     vtkShadowEmitter emitter;
-    baked.Casts = vtkShadowEmitter::FromLight(light, emitter, baked.Report);
-    if (baked.Casts)
+    if (vtkShadowEmitter::FromLight(light, emitter, baked.Report))
     {
       emitter = fitter.SeeFromAfar(emitter);
-      if (!baked.Maps)
-      {
-        baked.Maps = vtkSmartPointer<vtkShadowDepthMaps>::New();
-      }
-      std::vector<vtkShadowMapView> views = FitViews(fitter, emitter, this->NumberOfSamples);
+      vtkShadowMapStore::Request request;
+      request.MapSize = mapSize;
+      request.Conservative = this->Conservative;
+      std::vector<vtkShadowMapView>& views = request.Views;
+      views = FitViews(fitter, emitter, this->NumberOfSamples);
       const auto mostLayers = static_cast<std::size_t>(vtkShadowLimits::GetTextureLayers());
       if (views.size() > mostLayers)
       {
@@ -150,22 +135,18 @@ void vtkShadowDepthBakerPass::Render(const vtkRenderState* s)
         views.resize(mostLayers);
       }
       const vtkShadowFailures failures;
-      const int count =
-        baked.Maps->Bake(renderer, this->Casters, views, mapSize, this->Conservative);
-      this->NumberOfBakes += std::max(count, 0);
-      baked.Casts = count >= 0;
-      if (count < 0)
-      {
-        lost = failures.GetFirst();
-      }
-      baked.Report = count < 0 ? failures.GetFirst()
-                               : std::to_string(baked.Maps->GetViews().size()) + " depth maps of " +
-          std::to_string(mapSize) + " x " + std::to_string(mapSize) + " texels";
+      const vtkShadowMapStore::Maps maps =
+        impl.Store.Bake(renderer, this->Casters, { light, 0, 0 }, request);
+      this->NumberOfBakes += maps.Baked;
+      baked.Maps = maps.Depths;
+      lost = baked.Maps ? lost : failures.GetFirst();
+      baked.Report = baked.Maps ? std::to_string(baked.Maps->GetViews().size()) +
+          " depth maps of " + std::to_string(mapSize) + " x " + std::to_string(mapSize) + " texels"
+                                : failures.GetFirst();
     }
     impl.Lights.push_back(baked);
   }
-  // Lights that went out or away.
-  Internals::Release(impl.Previous, renderer->GetRenderWindow());
+  impl.ReleaseOthers(previous);
   this->Warn(wanted.str(), lost);
 }
 
@@ -192,14 +173,14 @@ int vtkShadowDepthBakerPass::GetNumberOfLights() const
 {
   const auto& lights = this->Impl->Lights;
   return static_cast<int>(std::count_if(
-    lights.begin(), lights.end(), [](const BakedLight& baked) { return baked.Casts; }));
+    lights.begin(), lights.end(), [](const BakedLight& baked) { return baked.Maps != nullptr; }));
 }
 
 //------------------------------------------------------------------------------
 vtkShadowDepthMaps* vtkShadowDepthBakerPass::GetDepthMaps(vtkLight* light)
 {
   const BakedLight* baked = this->Impl->Find(light);
-  return baked ? baked->Maps.GetPointer() : nullptr;
+  return baked ? baked->Maps : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -222,7 +203,7 @@ std::string vtkShadowDepthBakerPass::GetLightReport() const
   for (std::size_t i = 0; i < this->Impl->Lights.size(); ++i)
   {
     const BakedLight& baked = this->Impl->Lights[i];
-    report << "light " << i << ": " << (baked.Casts ? "" : "casts nothing: ") << baked.Report
+    report << "light " << i << ": " << (baked.Maps ? "" : "casts nothing: ") << baked.Report
            << "\n";
   }
   return report.str();
@@ -231,7 +212,8 @@ std::string vtkShadowDepthBakerPass::GetLightReport() const
 //------------------------------------------------------------------------------
 void vtkShadowDepthBakerPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  Internals::Release(this->Impl->Lights, window);
+  this->Impl->Store.ReleaseGraphicsResources(window);
+  this->Impl->Lights.clear();
   this->Casters->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -11,7 +11,8 @@
  *
  * Stages: casters brought up to date; for each lit light its emitter, sample points on it, a view
  * fitted from each of them to the effective casters; layers baked whose view or casters changed. A
- * still scene under a moving camera bakes nothing.
+ * still scene under a moving camera bakes nothing. The maps are in a vtkShadowMapStore, as those of the
+ * soft-shadow passes.
  *
  * A light's layers are its sample points in order, or the faces of a cube around an omni light for
  * each of them; a point or face from which nothing casts has no layer.

@@ -7,7 +7,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
-#include "vtkShadowCasters.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
@@ -36,24 +35,15 @@ constexpr size_t MapsPerDraw = VTK_SOFT_SHADOW_SAMPLES_PER_DRAW;
 class vtkBilateralSoftShadowPass::Internals
 {
 public:
-  // The points of one emitter with their views, and the maps that hold a batch of them.
-  struct EmitterSamples
-  {
-    vtkShadowEmitter Emitter;
-    vtkMTimeType CastersTime = 0;
-    vtkMTimeType SettingsTime = 0;
-    vtkSoftShadowSamples Samples;
-    std::array<std::array<double, 2>, 2> Cell = { {} };
-    vtkNew<vtkShadowDepthMaps> Maps;
-  };
+  using Cell = std::array<std::array<double, 2>, 2>;
 
-  std::map<std::pair<int, int>, EmitterSamples> Emitters; // by light and part
-  EmitterSamples* Current = nullptr;
+  std::map<std::pair<const vtkLight*, int>, Cell> Cells; // of a point, by light and part
   vtkShadowShader MeanShader{ vtkBilateralMeanFS };
   vtkSoftShadowScreenFilter Filter;
+  vtkNew<vtkShadowTextureArray> NoMaps; // of an emitter that nothing blocks
 
-  void DrawBatch(
-    const vtkSoftShadowServices& services, size_t first, size_t last, size_t layer, bool isFirst);
+  void DrawBatch(const vtkSoftShadowServices& services, const vtkSoftShadowSamples& samples,
+    vtkShadowDepthMaps* maps, size_t first, size_t last, size_t layer, bool isFirst);
 };
 
 //------------------------------------------------------------------------------
@@ -77,34 +67,31 @@ vtkSoftShadowRequirements vtkBilateralSoftShadowPass::GetRequirements() const
 }
 
 //------------------------------------------------------------------------------
+void vtkBilateralSoftShadowPass::Begin(const vtkSoftShadowServices& services)
+{
+  auto& cells = this->Impl->Cells;
+  for (auto cell = cells.begin(); cell != cells.end();)
+  {
+    const bool isThere = vtkSoftShadowContext::HasLight(services.Renderer, cell->first.first);
+    cell = isThere ? std::next(cell) : cells.erase(cell);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkBilateralSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
-  Internals::EmitterSamples& emitter =
-    this->Impl->Emitters[std::make_pair(services.Light, services.Part)];
-  this->Impl->Current = &emitter;
-  if (emitter.Emitter != services.Emitter || emitter.SettingsTime != this->GetMTime() ||
-    emitter.CastersTime != services.Casters->GetCastersTime())
-  {
-    emitter.Emitter = services.Emitter;
-    emitter.SettingsTime = this->GetMTime();
-    emitter.CastersTime = services.Casters->GetCastersTime();
-    const vtkBilateralLattice lattice(
-      services.Emitter, this->NumberOfSamples, this->Weights, this->Filter == ADAPTIVE);
-    emitter.Samples = services.FitSamples(lattice.GetSamples());
-    emitter.Cell = lattice.GetCell();
-  }
-  const bool isDrawn = this->Impl->Filter.BeginSums(services) && this->DrawMean(services);
-  this->Impl->Filter.EndSums();
-  // Of a light's many parts only the first ones keep their maps.
-  vtkTypeInt64 bytes = 0;
-  for (auto& other : this->Impl->Emitters)
-  {
-    bytes += other.first.first == services.Light ? other.second.Maps->GetTexture()->GetBytes() : 0;
-  }
-  if (services.ExceedsMapMemory(bytes))
-  {
-    emitter.Maps->ReleaseGraphicsResources(services.Window);
-  }
+  Internals& impl = *this->Impl;
+  Internals::Cell& cell = impl.Cells[std::make_pair(services.Source, services.Part)];
+  const vtkSoftShadowSamples& samples = services.FitSamples(0, this->GetMTime(),
+    [&]
+    {
+      const vtkBilateralLattice lattice(
+        services.Emitter, this->NumberOfSamples, this->Weights, this->Filter == ADAPTIVE);
+      cell = lattice.GetCell();
+      return lattice.GetSamples();
+    });
+  const bool isDrawn = impl.Filter.BeginSums(services) && this->DrawMean(services, samples);
+  impl.Filter.EndSums();
   if (!isDrawn)
   {
     return;
@@ -143,7 +130,7 @@ void vtkBilateralSoftShadowPass::DrawFilter(const vtkSoftShadowServices& service
   }
   settings.SecondAxisFirst = this->SecondAxisFirst;
   settings.Cells.resize(1);
-  settings.Cells[0].Edges = this->Impl->Current->Cell;
+  settings.Cells[0].Edges = this->Impl->Cells[std::make_pair(services.Source, services.Part)];
   settings.MaximumWidth = this->MaximumWidth;
   settings.WeightedByPoints = this->Weights == vtkShadowLightSampling::GAUSSIAN;
   settings.HalfTaps = this->FilterWidth / 2;
@@ -153,35 +140,31 @@ void vtkBilateralSoftShadowPass::DrawFilter(const vtkSoftShadowServices& service
 }
 
 //------------------------------------------------------------------------------
-bool vtkBilateralSoftShadowPass::DrawMean(const vtkSoftShadowServices& services)
+bool vtkBilateralSoftShadowPass::DrawMean(
+  const vtkSoftShadowServices& services, const vtkSoftShadowSamples& samples)
 {
-  Internals& impl = *this->Impl;
-  Internals::EmitterSamples& emitter = *impl.Current;
-  const size_t layers =
-    static_cast<size_t>(vtkShadowTextureArray::GetMaximumLayers(services.Window));
-  const size_t batch = std::min(services.GetMapsPerBatch(services.MapSize), layers);
-  const size_t count = emitter.Samples.Views.size();
+  const size_t batch = services.GetMapsPerBatch(services.MapSize);
+  const size_t count = samples.Views.size();
   bool isFirst = true;
   for (size_t first = 0; first == 0 || first < count; first += batch)
   {
     const size_t last = std::min(first + batch, count);
+    vtkShadowDepthMaps* maps = nullptr;
     if (last > first)
     {
       services.BeginStep("sample maps");
-      const std::vector<vtkShadowMapView> views(
-        emitter.Samples.Views.begin() + first, emitter.Samples.Views.begin() + last);
-      const int baked =
-        emitter.Maps->Bake(services.Renderer, services.Casters, views, services.MapSize);
-      if (baked < 0)
+      maps = services.BakeMaps(
+        { samples.Views.begin() + first, samples.Views.begin() + last }, services.MapSize);
+      if (!maps)
       {
         return false;
       }
-      services.CountBakes(baked, services.MapSize);
     }
     services.BeginStep("mean");
     for (size_t i = first; i == first || i < last; i += MapsPerDraw)
     {
-      impl.DrawBatch(services, i, std::min(i + MapsPerDraw, last), i - first, isFirst);
+      this->Impl->DrawBatch(
+        services, samples, maps, i, std::min(i + MapsPerDraw, last), i - first, isFirst);
       isFirst = false;
     }
   }
@@ -189,14 +172,14 @@ bool vtkBilateralSoftShadowPass::DrawMean(const vtkSoftShadowServices& services)
 }
 
 //------------------------------------------------------------------------------
-void vtkBilateralSoftShadowPass::Internals::DrawBatch(
-  const vtkSoftShadowServices& services, size_t first, size_t last, size_t layer, bool isFirst)
+void vtkBilateralSoftShadowPass::Internals::DrawBatch(const vtkSoftShadowServices& services,
+  const vtkSoftShadowSamples& samples, vtkShadowDepthMaps* maps, size_t first, size_t last,
+  size_t layer, bool isFirst)
 {
   if (!this->MeanShader.Use(services.Window))
   {
     return;
   }
-  const vtkSoftShadowSamples& samples = this->Current->Samples;
   vtkShaderProgram* program = this->MeanShader.GetProgram();
   services.SetReceiverUniforms(program);
   std::vector<float> weights;
@@ -210,7 +193,7 @@ void vtkBilateralSoftShadowPass::Internals::DrawBatch(
   program->SetUniformf("madeUp", isFirst ? 1.0f : 0.0f);
   program->SetUniformf(
     "litWeight", isFirst ? samples.LitWeight / static_cast<float>(services.Emitter.Weight) : 0.0f);
-  vtkShadowTextureArray* texture = this->Current->Maps->GetTexture();
+  vtkShadowTextureArray* texture = maps ? maps->GetTexture() : this->NoMaps.GetPointer();
   program->SetUniformi("depthMaps", texture->Activate(services.Window));
   services.DrawMarked(this->MeanShader);
   texture->Deactivate();
@@ -224,11 +207,6 @@ void vtkBilateralSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statisti
   statistics.BytesHeld += impl.Filter.GetBytes();
   statistics.ShaderBuilds +=
     impl.MeanShader.GetNumberOfBuilds() + impl.Filter.GetNumberOfShaderBuilds();
-  for (auto& emitter : impl.Emitters)
-  {
-    statistics.BytesHeld += emitter.second.Maps->GetTexture()->GetBytes();
-    statistics.DrawCalls += emitter.second.Maps->GetNumberOfDrawCalls();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -238,12 +216,6 @@ void vtkBilateralSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& impl = *this->Impl;
   impl.MeanShader.ReleaseGraphicsResources(window);
   impl.Filter.ReleaseGraphicsResources(window);
-  for (auto& emitter : impl.Emitters)
-  {
-    emitter.second.Maps->ReleaseGraphicsResources(window);
-  }
-  impl.Emitters.clear();
-  impl.Current = nullptr;
 }
 
 //------------------------------------------------------------------------------

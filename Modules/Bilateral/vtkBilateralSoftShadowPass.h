@@ -54,6 +54,7 @@
 #include <memory> // For the implementation
 
 VTK_ABI_NAMESPACE_BEGIN
+struct vtkSoftShadowSamples;
 
 class VTKRENDERINGSOFTSHADOWSBILATERAL_EXPORT vtkBilateralSoftShadowPass : public vtkSoftShadowPass
 {
@@ -158,6 +159,7 @@ protected:
   ~vtkBilateralSoftShadowPass() override;
 
   vtkSoftShadowRequirements GetRequirements() const override;
+  void Begin(const vtkSoftShadowServices& services) override;
   void Add(const vtkSoftShadowServices& services) override;
   void AddStatistics(vtkSoftShadowStatistics& statistics) override;
 
@@ -178,7 +180,7 @@ private:
   class Internals;
   std::unique_ptr<Internals> Impl;
 
-  bool DrawMean(const vtkSoftShadowServices& services);
+  bool DrawMean(const vtkSoftShadowServices& services, const vtkSoftShadowSamples& samples);
   void DrawFilter(const vtkSoftShadowServices& services);
 };
 

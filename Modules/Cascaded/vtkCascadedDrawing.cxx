@@ -67,14 +67,10 @@ void vtkCascadedDrawing::DrawCascade(
   const size_t count = set.Samples.Views.size();
   for (size_t first = 0; first == 0 || first < count;)
   {
-    vtkCascadedSoftShadowMaps::Run run;
-    if (count > 0)
+    const vtkCascadedSoftShadowMaps::Run run = maps.Bake(services, cascade, first);
+    if (count > 0 && run.Last == run.First)
     {
-      run = maps.Bake(services, cascade, first);
-      if (run.Last == run.First)
-      {
-        return;
-      }
+      return;
     }
     if (!this->Shader.Use(services.Window))
     {
@@ -88,7 +84,7 @@ void vtkCascadedDrawing::DrawCascade(
     services.SetSampleUniforms(program, set.Samples.Views.data() + run.First,
       set.Samples.Weights.data() + run.First, run.Last - run.First, run.Layer,
       maps.GetMapSize(set.Resolution), set.FilterSize);
-    vtkShadowTextureArray* texture = maps.GetMaps(set.Resolution)->GetTexture();
+    vtkShadowTextureArray* texture = run.Texture;
     program->SetUniformi("depthMaps", texture->Activate(services.Window));
     services.DrawMarked(this->Shader);
     texture->Deactivate();
@@ -137,14 +133,10 @@ void vtkCascadedDrawing::DrawSums(
   const size_t count = set.Samples.Views.size();
   for (size_t first = 0; first == 0 || first < count;)
   {
-    vtkCascadedSoftShadowMaps::Run run;
-    if (count > 0)
+    const vtkCascadedSoftShadowMaps::Run run = maps.Bake(services, cascade, first);
+    if (count > 0 && run.Last == run.First)
     {
-      run = maps.Bake(services, cascade, first);
-      if (run.Last == run.First)
-      {
-        return;
-      }
+      return;
     }
     if (!this->SumsShader.Use(services.Window))
     {
@@ -162,7 +154,7 @@ void vtkCascadedDrawing::DrawSums(
     std::for_each(weights.begin(), weights.end(), [share](float& weight) { weight *= share; });
     services.SetSampleUniforms(program, set.Samples.Views.data() + run.First, weights.data(),
       weights.size(), run.Layer, maps.GetMapSize(set.Resolution), set.FilterSize);
-    vtkShadowTextureArray* texture = maps.GetMaps(set.Resolution)->GetTexture();
+    vtkShadowTextureArray* texture = run.Texture;
     program->SetUniformi("depthMaps", texture->Activate(services.Window));
     services.DrawMarked(this->SumsShader);
     texture->Deactivate();

@@ -9,6 +9,7 @@
 #include "vtkSoftShadowServices.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -76,15 +77,8 @@ int GetFilterTexels(
 void vtkCascadedEmitter::Begin(
   const vtkSoftShadowServices& services, const vtkCascadedSettings& settings)
 {
-  if (this->Emitter != services.Emitter || this->SettingsTime != settings.Time ||
-    this->BodiesTime != services.Casters->GetBodiesTime())
-  {
-    this->Emitter = services.Emitter;
-    this->SettingsTime = settings.Time;
-    this->BodiesTime = services.Casters->GetBodiesTime();
-    this->Fits.clear();
-  }
   this->Estimate = services.Estimate;
+  this->Light = services.Light;
   this->Maps.Begin(services.MapSize);
   this->FindCascades(services, settings);
 }
@@ -93,26 +87,21 @@ void vtkCascadedEmitter::Begin(
 const vtkSoftShadowSamples& vtkCascadedEmitter::FitGrid(
   const vtkSoftShadowServices& services, const vtkCascadedSettings& settings, int k)
 {
-  const auto fit = this->Fits.find(k);
-  if (fit != this->Fits.end())
-  {
-    return fit->second;
-  }
-  return this->Fits[k] = services.FitSamples(vtkShadowLightSampling::Generate(
-           services.Emitter, k * k, settings.Pattern, settings.Weights));
+  return services.FitSamples(k, settings.Time,
+    [&]
+    {
+      return vtkShadowLightSampling::Generate(
+        services.Emitter, k * k, settings.Pattern, settings.Weights);
+    });
 }
 
 //------------------------------------------------------------------------------
+// Numbers of sets from 0 down: those of grids are above.
 const vtkSoftShadowSamples& vtkCascadedEmitter::FitLevel(
   const vtkSoftShadowServices& services, const vtkCascadedSettings& settings, int level)
 {
-  const auto fit = this->Fits.find(-level);
-  if (fit != this->Fits.end())
-  {
-    return fit->second;
-  }
-  return this->Fits[-level] = services.FitSamples(
-           vtkShadowBorderGrid::Make(services.Emitter, level, settings.Weights).Added);
+  return services.FitSamples(-level, settings.Time,
+    [&] { return vtkShadowBorderGrid::Make(services.Emitter, level, settings.Weights).Added; });
 }
 
 //------------------------------------------------------------------------------
@@ -220,9 +209,8 @@ std::vector<size_t> vtkCascadedEmitter::AddSets(const vtkSoftShadowServices& ser
 }
 
 //------------------------------------------------------------------------------
-void vtkCascadedEmitter::ReleaseGraphicsResources(vtkWindow* window)
+void vtkCascadedEmitter::ReleaseGraphicsResources()
 {
-  this->Maps.ReleaseGraphicsResources(window);
   for (vtkCascadedPlan& plan : this->Plans)
   {
     plan.ReleaseGraphicsResources();

@@ -12,17 +12,14 @@
 #include "vtkCascadedSettings.h"       // For the number of cascades
 #include "vtkCascadedSoftShadowMaps.h" // For members
 #include "vtkShadowCascades.h"         // For cascades
-#include "vtkShadowEmitter.h"          // For emitters
 #include "vtkSoftShadowsABI.h"         // For the ABI namespace
 
 #include <array>  // For plans
-#include <map>    // For fits
 #include <vector> // For lists
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkShadowQueryReader;
 class vtkSoftShadowServices;
-class vtkWindow;
 
 class vtkCascadedEmitter
 {
@@ -37,30 +34,30 @@ public:
   const std::vector<vtkShadowCascades::Cascade>& GetCascades() const { return this->Cascades; }
   vtkCascadedPlan& GetPlan(size_t cascade) { return this->Plans[cascade]; }
   vtkCascadedSoftShadowMaps& GetMaps() { return this->Maps; }
-  /// Of Begin.
+  /// Of Begin: the estimate, and the light's number.
   vtkTypeInt64 GetEstimate() const { return this->Estimate; }
+  int GetLight() const { return this->Light; }
 
-  void ReleaseGraphicsResources(vtkWindow* window);
+  void ReleaseGraphicsResources();
 
 private:
-  vtkShadowEmitter Emitter;
-  vtkMTimeType BodiesTime = 0;
-  vtkMTimeType SettingsTime = 0;
-  /// Fits of points over all effective casters, the same for every camera: by k the k x k points
-  /// of a grid, by -level the points that a level of refinement adds.
-  std::map<int, vtkSoftShadowSamples> Fits;
   vtkCascadedSoftShadowMaps Maps;
   std::array<vtkCascadedPlan, vtkCascadedSettings::MaximumNumberOfCascades> Plans;
   std::vector<vtkShadowCascades::Cascade> Cascades;
   vtkTypeInt64 Estimate = -1;
+  int Light = -1;
 
   void FindCascades(const vtkSoftShadowServices& services, const vtkCascadedSettings& settings);
   /// Joins cascades to a nearer one whose maps show all that theirs would, no coarser.
   void JoinCascades(const vtkSoftShadowServices& services, const vtkCascadedSettings& settings);
-  const vtkSoftShadowSamples& FitGrid(
+  ///@{
+  /// Fits of points over all effective casters, the same for every camera: the k x k points of a grid, or
+  /// those that a level of refinement adds.
+  static const vtkSoftShadowSamples& FitGrid(
     const vtkSoftShadowServices& services, const vtkCascadedSettings& settings, int k);
-  const vtkSoftShadowSamples& FitLevel(
+  static const vtkSoftShadowSamples& FitLevel(
     const vtkSoftShadowServices& services, const vtkCascadedSettings& settings, int level);
+  ///@}
 };
 
 VTK_ABI_NAMESPACE_END

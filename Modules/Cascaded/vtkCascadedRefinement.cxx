@@ -118,14 +118,10 @@ bool vtkCascadedRefinement::AddLevel(const vtkSoftShadowServices& services,
   vtkShadowTextureArray* before = this->States[(level + 1) % 2];
   for (size_t first = 0; first == 0 || first < count;)
   {
-    vtkCascadedSoftShadowMaps::Run run;
-    if (count > 0)
+    const vtkCascadedSoftShadowMaps::Run run = maps.Bake(services, set, first);
+    if (count > 0 && run.Last == run.First)
     {
-      run = maps.Bake(services, set, first);
-      if (run.Last == run.First)
-      {
-        return false;
-      }
+      return false;
     }
     if (!this->RefineShader.Use(services.Window))
     {
@@ -139,7 +135,7 @@ bool vtkCascadedRefinement::AddLevel(const vtkSoftShadowServices& services,
     services.SetSampleUniforms(program, points.Samples.Views.data() + run.First,
       points.Samples.Weights.data() + run.First, run.Last - run.First, run.Layer,
       maps.GetMapSize(points.Resolution), points.FilterSize);
-    vtkShadowTextureArray* texture = maps.GetMaps(points.Resolution)->GetTexture();
+    vtkShadowTextureArray* texture = run.Texture;
     program->SetUniformi("depthMaps", texture->Activate(services.Window));
     program->SetUniformi("state", before->Activate(services.Window));
     if (queries && first == 0)

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCascadedSoftShadowMaps.h"
 
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkShadowCasters.h"
+#include "vtkShadowDepthMaps.h"
 #include "vtkShadowShader.h"
-#include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowServices.h"
 
 #include <algorithm>
@@ -16,9 +14,9 @@ void vtkCascadedSoftShadowMaps::Begin(int mapSize)
 {
   this->MapSize = mapSize;
   this->Sets.clear();
-  for (Array& array : this->Arrays)
+  for (std::vector<vtkShadowMapView>& views : this->Views)
   {
-    array.Views.clear();
+    views.clear();
   }
 }
 
@@ -26,7 +24,7 @@ void vtkCascadedSoftShadowMaps::Begin(int mapSize)
 size_t vtkCascadedSoftShadowMaps::Add(
   int resolution, int filterSize, vtkSoftShadowSamples&& samples)
 {
-  std::vector<vtkShadowMapView>& views = this->Arrays[resolution].Views;
+  std::vector<vtkShadowMapView>& views = this->Views[resolution];
   Set set;
   set.Resolution = resolution;
   set.First = views.size();
@@ -51,7 +49,7 @@ size_t vtkCascadedSoftShadowMaps::GetBatch(
   for (int i = 0; i < NumberOfResolutions; ++i)
   {
     const auto size = static_cast<vtkTypeInt64>(this->GetMapSize(i));
-    wanted += static_cast<vtkTypeInt64>(this->Arrays[i].Views.size() * sizeof(float)) * size * size;
+    wanted += static_cast<vtkTypeInt64>(this->Views[i].size() * sizeof(float)) * size * size;
   }
   const int shares = services.ExceedsMapMemory(wanted) ? NumberOfResolutions : 1;
   return services.GetMapsPerBatch(this->GetMapSize(resolution), shares);
@@ -62,57 +60,30 @@ vtkCascadedSoftShadowMaps::Run vtkCascadedSoftShadowMaps::Bake(
   const vtkSoftShadowServices& services, size_t set, size_t first)
 {
   const Set& wanted = this->Sets[set];
-  Array& array = this->Arrays[wanted.Resolution];
-  const int mapSize = this->GetMapSize(wanted.Resolution);
-  const size_t count = this->GetBatch(services, wanted.Resolution);
-  const size_t index = wanted.First + first;
-  const size_t begin = index / count * count;
-  const size_t end = std::min(begin + count, array.Views.size());
-  const std::vector<vtkShadowMapView> batch(array.Views.begin() + begin, array.Views.begin() + end);
-  services.BeginStep("cascade maps");
-  const int drawn = array.Maps->Bake(services.Renderer, services.Casters, batch, mapSize);
-  services.BeginStep("visibility");
   Run run;
   run.First = run.Last = first;
-  if (drawn < 0)
+  run.Texture = this->NoMaps;
+  if (wanted.Samples.Views.empty())
   {
     return run;
   }
-  services.CountBakes(drawn, mapSize);
+  const std::vector<vtkShadowMapView>& views = this->Views[wanted.Resolution];
+  const size_t count = this->GetBatch(services, wanted.Resolution);
+  const size_t index = wanted.First + first;
+  const size_t begin = index / count * count;
+  const size_t end = std::min(begin + count, views.size());
+  services.BeginStep("cascade maps");
+  vtkShadowDepthMaps* maps = services.BakeMaps({ views.begin() + begin, views.begin() + end },
+    this->GetMapSize(wanted.Resolution), wanted.Resolution);
+  services.BeginStep("visibility");
+  if (!maps)
+  {
+    return run;
+  }
+  run.Texture = maps->GetTexture();
   run.Layer = index - begin;
   run.Last = std::min({ wanted.Samples.Views.size(), end - wanted.First,
     first + static_cast<size_t>(VTK_SOFT_SHADOW_SAMPLES_PER_DRAW) });
   return run;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkCascadedSoftShadowMaps::GetBytes()
-{
-  vtkTypeInt64 bytes = 0;
-  for (Array& array : this->Arrays)
-  {
-    bytes += array.Maps->GetTexture()->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkCascadedSoftShadowMaps::GetNumberOfDrawCalls()
-{
-  vtkTypeInt64 calls = 0;
-  for (Array& array : this->Arrays)
-  {
-    calls += array.Maps->GetNumberOfDrawCalls();
-  }
-  return calls;
-}
-
-//------------------------------------------------------------------------------
-void vtkCascadedSoftShadowMaps::ReleaseGraphicsResources(vtkWindow* window)
-{
-  for (Array& array : this->Arrays)
-  {
-    array.Maps->ReleaseGraphicsResources(window);
-  }
 }
 VTK_ABI_NAMESPACE_END

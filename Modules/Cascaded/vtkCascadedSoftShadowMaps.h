@@ -6,24 +6,22 @@
  *
  * A set is what one cascade looks at in one go: all its samples, or those that a level of refinement
  * adds. The maps of the sets of one resolution lie in one array, in the order in which the sets were
- * added. They are baked when a draw needs them; as long as they fit the memory allowed they are
- * baked once and kept until a view or a caster changes.
+ * added. They are baked when a draw needs them, and kept as long as memory allows.
  */
 
 #ifndef vtkCascadedSoftShadowMaps_h
 #define vtkCascadedSoftShadowMaps_h
 
-#include "vtkNew.h" // For members
-#include "vtkShadowDepthMaps.h"
-#include "vtkSoftShadowSamples.h" // For samples
-#include "vtkSoftShadowsABI.h"    // For the ABI namespace
+#include "vtkNew.h"                // For members
+#include "vtkShadowTextureArray.h" // For members
+#include "vtkSoftShadowSamples.h"  // For samples
+#include "vtkSoftShadowsABI.h"     // For the ABI namespace
 
 #include <array>  // For resolutions
 #include <vector> // For sets
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkSoftShadowServices;
-class vtkWindow;
 
 class vtkCascadedSoftShadowMaps
 {
@@ -38,12 +36,14 @@ public:
     vtkSoftShadowSamples Samples;
   };
 
-  /// Samples first to last (exclusive) of a set, in the layers from Layer on of a valid texture.
+  /// Samples first to last (exclusive) of a set, in the layers from Layer on of a valid texture. Without
+  /// samples that is an empty one.
   struct Run
   {
     size_t First = 0;
     size_t Last = 0;
     size_t Layer = 0;
+    vtkShadowTextureArray* Texture = nullptr;
   };
 
   /// Forgets the sets; mapSize: texels of the highest resolution, each other one has half.
@@ -60,24 +60,13 @@ public:
    */
   Run Bake(const vtkSoftShadowServices& services, size_t set, size_t first);
 
-  vtkShadowDepthMaps* GetMaps(int resolution) { return this->Arrays[resolution].Maps; }
-
-  vtkTypeInt64 GetBytes();
-  vtkTypeInt64 GetNumberOfDrawCalls();
-  void ReleaseGraphicsResources(vtkWindow* window);
-
 private:
-  struct Array
-  {
-    vtkNew<vtkShadowDepthMaps> Maps;
-    std::vector<vtkShadowMapView> Views;
-  };
-
   size_t GetBatch(const vtkSoftShadowServices& services, int resolution) const;
 
   int MapSize = 1024;
-  std::array<Array, NumberOfResolutions> Arrays;
+  std::array<std::vector<vtkShadowMapView>, NumberOfResolutions> Views;
   std::vector<Set> Sets;
+  vtkNew<vtkShadowTextureArray> NoMaps;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -26,8 +26,8 @@ vtkStandardNewMacro(vtkCascadedSoftShadowPass);
 class vtkCascadedSoftShadowPass::Internals
 {
 public:
-  std::map<std::pair<int, int>, vtkCascadedEmitter> Emitters; // by light and part
-  vtkTypeInt64 Estimate = -1;                                 // the last one
+  std::map<std::pair<const vtkLight*, int>, vtkCascadedEmitter> Emitters; // by light and part
+  vtkTypeInt64 Estimate = -1;                                             // the last one
   std::shared_ptr<vtkShadowQueryReader> Reader = std::make_shared<vtkShadowQueryReader>();
   vtkCascadedDrawing Drawing;
   vtkCascadedRefinement Refinement;
@@ -41,7 +41,7 @@ public:
     for (const auto& emitter : this->Emitters)
     {
       if (emitter.second.GetEstimate() == this->Estimate &&
-        (light < 0 || emitter.first.first == light))
+        (light < 0 || emitter.second.GetLight() == light))
       {
         cascades.push_back(emitter.second.GetCascades());
       }
@@ -116,6 +116,17 @@ vtkCascadedSettings vtkCascadedSoftShadowPass::GetSettings()
 }
 
 //------------------------------------------------------------------------------
+void vtkCascadedSoftShadowPass::Begin(const vtkSoftShadowServices& services)
+{
+  auto& emitters = this->Impl->Emitters;
+  for (auto emitter = emitters.begin(); emitter != emitters.end();)
+  {
+    const bool isThere = vtkSoftShadowContext::HasLight(services.Renderer, emitter->first.first);
+    emitter = isThere ? std::next(emitter) : emitters.erase(emitter);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkCascadedSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
@@ -129,7 +140,7 @@ void vtkCascadedSoftShadowPass::Add(const vtkSoftShadowServices& services)
   impl.Drawing.SetDefinitions(definitions);
   impl.Refinement.SetDefinitions(definitions);
   const vtkCascadedSettings settings = this->GetSettings();
-  vtkCascadedEmitter& emitter = impl.Emitters[std::make_pair(services.Light, services.Part)];
+  vtkCascadedEmitter& emitter = impl.Emitters[std::make_pair(services.Source, services.Part)];
   emitter.Begin(services, settings);
   const size_t cascades = emitter.GetCascades().size();
   std::vector<std::vector<size_t>> sets; // per cascade
@@ -155,16 +166,6 @@ void vtkCascadedSoftShadowPass::Add(const vtkSoftShadowServices& services)
         impl.Drawing.DrawCascade(services, emitter, i);
       }
     }
-  }
-  // Of a light's many parts only the first ones keep their maps.
-  vtkTypeInt64 bytes = 0;
-  for (auto& other : impl.Emitters)
-  {
-    bytes += other.first.first == services.Light ? other.second.GetMaps().GetBytes() : 0;
-  }
-  if (services.ExceedsMapMemory(bytes))
-  {
-    emitter.GetMaps().ReleaseGraphicsResources(services.Window);
   }
 }
 
@@ -223,11 +224,6 @@ int vtkCascadedSoftShadowPass::GetNumberOfOccupiedCascades() const
 void vtkCascadedSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
 {
   Internals& impl = *this->Impl;
-  for (auto& emitter : impl.Emitters)
-  {
-    statistics.BytesHeld += emitter.second.GetMaps().GetBytes();
-    statistics.DrawCalls += emitter.second.GetMaps().GetNumberOfDrawCalls();
-  }
   statistics.BytesHeld += impl.Refinement.GetBytes() + impl.Drawing.GetBytes();
   statistics.ShaderBuilds += impl.Drawing.GetNumberOfBuilds() +
     impl.Refinement.GetNumberOfBuilds() + impl.Tint.GetNumberOfBuilds();
@@ -247,7 +243,7 @@ void vtkCascadedSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   impl.Tint.ReleaseGraphicsResources(window);
   for (auto& emitter : impl.Emitters)
   {
-    emitter.second.ReleaseGraphicsResources(window);
+    emitter.second.ReleaseGraphicsResources();
   }
   impl.Emitters.clear();
   impl.Receivers = nullptr;

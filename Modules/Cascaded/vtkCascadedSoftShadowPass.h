@@ -249,6 +249,7 @@ protected:
   ~vtkCascadedSoftShadowPass() override;
 
   vtkSoftShadowRequirements GetRequirements() const override;
+  void Begin(const vtkSoftShadowServices& services) override;
   void Add(const vtkSoftShadowServices& services) override;
   bool WantsVisibilityAnew() override;
   void AddStatistics(vtkSoftShadowStatistics& statistics) override;

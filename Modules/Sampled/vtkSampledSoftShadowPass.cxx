@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSampledSoftShadowPass.h"
 
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
-#include "vtkShadowCasters.h"
 #include "vtkShadowDepthMaps.h"
-#include "vtkShadowMapFitter.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
@@ -17,7 +14,6 @@
 #include "vtkSampledSoftShadowFS.h"
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -26,22 +22,11 @@ vtkStandardNewMacro(vtkSampledSoftShadowPass);
 namespace
 {
 constexpr size_t MapsPerDraw = VTK_SOFT_SHADOW_SAMPLES_PER_DRAW;
-
-// The points of one emitter with their views, and the maps that hold a batch of them.
-struct EmitterSamples
-{
-  vtkShadowEmitter Emitter;
-  vtkMTimeType CastersTime = 0;
-  vtkMTimeType SettingsTime = 0;
-  vtkSoftShadowSamples Samples;
-  vtkNew<vtkShadowDepthMaps> Maps;
-};
 } // namespace
 
 class vtkSampledSoftShadowPass::Internals
 {
 public:
-  std::map<std::pair<int, int>, EmitterSamples> Emitters; // by light and part
   vtkShadowShader Shader{ vtkSampledSoftShadowFS };
 };
 
@@ -70,34 +55,28 @@ vtkSoftShadowRequirements vtkSampledSoftShadowPass::GetRequirements() const
 //------------------------------------------------------------------------------
 void vtkSampledSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
-  EmitterSamples& emitter = this->Impl->Emitters[std::make_pair(services.Light, services.Part)];
-  if (emitter.Emitter != services.Emitter || emitter.SettingsTime != this->GetMTime() ||
-    emitter.CastersTime != services.Casters->GetCastersTime())
+  const vtkSoftShadowSamples& samples = services.FitSamples(0, this->GetMTime(),
+    [&]
+    {
+      return vtkShadowLightSampling::Generate(
+        services.Emitter, this->NumberOfSamples, this->Pattern, this->Weights);
+    });
+  const size_t batch = services.GetMapsPerBatch(services.MapSize);
+  const size_t count = samples.Views.size();
+  float litWeight = samples.LitWeight;
+  for (size_t first = 0; first == 0 || first < count; first += batch)
   {
-    emitter.Emitter = services.Emitter;
-    emitter.SettingsTime = this->GetMTime();
-    emitter.CastersTime = services.Casters->GetCastersTime();
-    emitter.Samples = services.FitSamples(vtkShadowLightSampling::Generate(
-      services.Emitter, this->NumberOfSamples, this->Pattern, this->Weights));
-  }
-  const size_t layers =
-    static_cast<size_t>(vtkShadowTextureArray::GetMaximumLayers(services.Window));
-  const size_t batch = std::min(services.GetMapsPerBatch(services.MapSize), layers);
-  float litWeight = emitter.Samples.LitWeight;
-  for (size_t first = 0; first == 0 || first < emitter.Samples.Views.size(); first += batch)
-  {
-    const size_t last = std::min(first + batch, emitter.Samples.Views.size());
+    const size_t last = std::min(first + batch, count);
+    vtkShadowTextureArray* texture = nullptr;
     if (last > first)
     {
-      const std::vector<vtkShadowMapView> views(
-        emitter.Samples.Views.begin() + first, emitter.Samples.Views.begin() + last);
-      const int baked =
-        emitter.Maps->Bake(services.Renderer, services.Casters, views, services.MapSize);
-      if (baked < 0)
+      vtkShadowDepthMaps* maps = services.BakeMaps(
+        { samples.Views.begin() + first, samples.Views.begin() + last }, services.MapSize);
+      if (!maps)
       {
         return;
       }
-      services.CountBakes(baked, services.MapSize);
+      texture = maps->GetTexture();
     }
     for (size_t i = first; i == first || i < last; i += MapsPerDraw)
     {
@@ -109,29 +88,19 @@ void vtkSampledSoftShadowPass::Add(const vtkSoftShadowServices& services)
       program->SetUniformf("litWeight", litWeight);
       litWeight = 0.0f; // once
       services.SetReceiverUniforms(program);
-      const size_t count = std::min(MapsPerDraw, last - i);
-      services.SetSampleUniforms(program, emitter.Samples.Views.data() + i,
-        emitter.Samples.Weights.data() + i, count, i - first, services.MapSize, this->FilterSize);
-      vtkShadowTextureArray* texture = emitter.Maps->GetTexture();
-      const bool hasMaps = count > 0;
-      if (hasMaps)
+      services.SetSampleUniforms(program, samples.Views.data() + i, samples.Weights.data() + i,
+        std::min(MapsPerDraw, last - i), i - first, services.MapSize, this->FilterSize);
+      if (texture)
       {
         program->SetUniformi("depthMaps", texture->Activate());
       }
       services.DrawMarked(this->Impl->Shader);
-      texture->Deactivate();
+      if (texture)
+      {
+        texture->Deactivate();
+      }
       services.Receivers->Deactivate();
     }
-  }
-  // Of a light's many parts only the first ones keep their maps.
-  vtkTypeInt64 bytes = 0;
-  for (auto& other : this->Impl->Emitters)
-  {
-    bytes += other.first.first == services.Light ? other.second.Maps->GetTexture()->GetBytes() : 0;
-  }
-  if (services.ExceedsMapMemory(bytes))
-  {
-    emitter.Maps->ReleaseGraphicsResources(services.Window);
   }
 }
 
@@ -139,11 +108,6 @@ void vtkSampledSoftShadowPass::Add(const vtkSoftShadowServices& services)
 void vtkSampledSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics)
 {
   statistics.ShaderBuilds += this->Impl->Shader.GetNumberOfBuilds();
-  for (auto& emitter : this->Impl->Emitters)
-  {
-    statistics.BytesHeld += emitter.second.Maps->GetTexture()->GetBytes();
-    statistics.DrawCalls += emitter.second.Maps->GetNumberOfDrawCalls();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -151,11 +115,6 @@ void vtkSampledSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   this->Impl->Shader.ReleaseGraphicsResources(window);
-  for (auto& emitter : this->Impl->Emitters)
-  {
-    emitter.second.Maps->ReleaseGraphicsResources(window);
-  }
-  this->Impl->Emitters.clear();
 }
 
 //------------------------------------------------------------------------------

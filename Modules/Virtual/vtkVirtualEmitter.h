@@ -17,7 +17,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkVirtualScreen;
-class vtkWindow;
 
 struct vtkVirtualEmitter
 {
@@ -25,6 +24,8 @@ struct vtkVirtualEmitter
   vtkVirtualTileTree Tree;
   vtkVirtualRequest Request;
   vtkShadowEmitter Emitter;
+  int Light = 0; // as of the last frame that showed it
+  int Part = 0;
   vtkMTimeType CastersTime = 0;
   bool IsStatic = false; // nothing but the camera moved since the frame before
   bool IsShown = false;  // in the last frame that drew visibilities
@@ -33,12 +34,6 @@ struct vtkVirtualEmitter
   vtkTypeInt64 ShapesState = -1;
   /// The last frame's tiles were planned by an older frame's request.
   bool IsLate = false;
-
-  void ReleaseGraphicsResources(vtkWindow* window)
-  {
-    this->Maps.ReleaseGraphicsResources(window);
-    this->Request.ReleaseGraphicsResources();
-  }
 };
 
 VTK_ABI_NAMESPACE_END

@@ -218,21 +218,19 @@ void vtkVirtualPlanner::BakeTiles(const vtkSoftShadowServices& services,
   const vtkVirtualSettings& settings, vtkVirtualEmitter& emitter)
 {
   double mostTexels = static_cast<double>(services.MapMemory) / 4.0;
-  vtkVirtualTileMaps::Work work;
+  bool isComplete = false;
   std::string reason;
   do
   {
     const vtkShadowFailures attempt;
     vtkVirtualPlanner::PlanTiles(services, settings, emitter, mostTexels);
-    work = emitter.Maps.Update(services.Renderer, services.Casters, services.GetMapView(),
-      emitter.Tree.GetTiles(), vtkVirtualTileTree::GridSize);
-    this->DrawCalls += work.DrawCalls;
-    services.CountMaps(work.Maps, work.Texels);
+    isComplete =
+      emitter.Maps.Update(services, emitter.Tree.GetTiles(), vtkVirtualTileTree::GridSize);
     // A driver may have less than was allowed: everything becomes coarser.
     mostTexels = 0.25 * emitter.Tree.GetTexels();
     reason = attempt.GetFirst();
-  } while (work.Failed && mostTexels > 65536.0);
-  if (work.Failed)
+  } while (!isComplete && mostTexels > 65536.0);
+  if (!isComplete)
   {
     vtkShadowFailures::Report(reason);
   }

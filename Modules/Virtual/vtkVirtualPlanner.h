@@ -41,7 +41,7 @@ public:
     vtkVirtualEmitter& emitter, vtkVirtualDrawing& drawing);
 
   /// Plans the tiles by the wishes and bakes them.
-  void BakeTiles(const vtkSoftShadowServices& services, const vtkVirtualSettings& settings,
+  static void BakeTiles(const vtkSoftShadowServices& services, const vtkVirtualSettings& settings,
     vtkVirtualEmitter& emitter);
 
   /// The picture is still late; data were asked for in between.
@@ -55,7 +55,6 @@ public:
   double GetExcess() const { return this->Excess; }
 
   vtkTypeInt64 GetBytes() const;
-  vtkTypeInt64 GetNumberOfDrawCalls() const { return this->DrawCalls; }
   int GetNumberOfBuilds() const { return this->Grid.GetNumberOfBuilds(); }
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -78,7 +77,6 @@ private:
   vtkVirtualScreen Spare; // kernels of an emitter that was not prepared
   vtkVirtualGrid Grid;
   vtkTypeInt64 State = 0; // of all that a grid depends on; changes with it
-  vtkTypeInt64 DrawCalls = 0;
   vtkTypeInt64 Waits = 0;
   vtkTypeInt64 Late = 0;
   bool Owed = false;

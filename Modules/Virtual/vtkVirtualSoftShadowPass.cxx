@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkVirtualSoftShadowPass);
 class vtkVirtualSoftShadowPass::Internals
 {
 public:
-  using Key = std::pair<int, int>; // light and part
+  using Key = std::pair<const vtkLight*, int>; // light and part
 
   std::map<Key, vtkVirtualEmitter> Emitters;
   vtkVirtualPlanner Planner;
@@ -78,19 +78,11 @@ void vtkVirtualSoftShadowPass::Begin(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
   impl.Planner.Begin(services);
-  for (auto iterator = impl.Emitters.begin(); iterator != impl.Emitters.end();)
+  for (auto emitter = impl.Emitters.begin(); emitter != impl.Emitters.end();)
   {
-    vtkVirtualEmitter& emitter = iterator->second;
-    if (emitter.IsShown)
-    {
-      emitter.IsShown = false;
-      ++iterator;
-    }
-    else
-    {
-      emitter.ReleaseGraphicsResources(services.Window);
-      iterator = impl.Emitters.erase(iterator);
-    }
+    emitter->second.IsShown = false;
+    const bool isThere = vtkSoftShadowContext::HasLight(services.Renderer, emitter->first.first);
+    emitter = isThere ? std::next(emitter) : impl.Emitters.erase(emitter);
   }
 }
 
@@ -99,14 +91,16 @@ void vtkVirtualSoftShadowPass::Prepare(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
   impl.Planner.Prepare(services, this->GetSettings(),
-    impl.Emitters[Internals::Key(services.Light, services.Part)], impl.Drawing);
+    impl.Emitters[Internals::Key(services.Source, services.Part)], impl.Drawing);
 }
 
 //------------------------------------------------------------------------------
 void vtkVirtualSoftShadowPass::Add(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
-  vtkVirtualEmitter& emitter = impl.Emitters[Internals::Key(services.Light, services.Part)];
+  vtkVirtualEmitter& emitter = impl.Emitters[Internals::Key(services.Source, services.Part)];
+  emitter.Light = services.Light;
+  emitter.Part = services.Part;
   const vtkVirtualSettings settings = this->GetSettings();
   {
     const vtkShadowScopedTarget target(services.Window->GetState());
@@ -115,7 +109,7 @@ void vtkVirtualSoftShadowPass::Add(const vtkSoftShadowServices& services)
       return;
     }
     services.BeginStep("tile maps");
-    impl.Planner.BakeTiles(services, settings, emitter);
+    vtkVirtualPlanner::BakeTiles(services, settings, emitter);
     services.BeginStep("filtering");
     impl.Drawing.DrawTiles(services, settings, emitter);
   }
@@ -185,18 +179,23 @@ double vtkVirtualSoftShadowPass::GetLatencyExcess() const
 //------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowPass::GetTileReport() const
 {
-  std::ostringstream report;
-  for (const auto& emitter : this->Impl->Emitters)
+  std::map<std::pair<int, int>, const vtkVirtualTileTree*> trees; // in the lights' order
+  for (const auto& entry : this->Impl->Emitters)
   {
-    if (!emitter.second.IsShown)
+    const vtkVirtualEmitter& emitter = entry.second;
+    if (emitter.IsShown)
     {
-      continue;
+      trees[std::make_pair(emitter.Light, emitter.Part)] = &emitter.Tree;
     }
-    const vtkVirtualTileTree& tree = emitter.second.Tree;
-    report << "light " << emitter.first.first << " part " << emitter.first.second << ": "
-           << tree.GetTiles().size() << " tiles, " << static_cast<vtkTypeInt64>(tree.GetTexels())
-           << " texels, coarser than predicted by " << tree.GetCoarsening() << "\n";
-    for (const vtkVirtualTile& tile : tree.GetTiles())
+  }
+  std::ostringstream report;
+  for (const auto& tree : trees)
+  {
+    report << "light " << tree.first.first << " part " << tree.first.second << ": "
+           << tree.second->GetTiles().size() << " tiles, "
+           << static_cast<vtkTypeInt64>(tree.second->GetTexels())
+           << " texels, coarser than predicted by " << tree.second->GetCoarsening() << "\n";
+    for (const vtkVirtualTile& tile : tree.second->GetTiles())
     {
       report << "  cells " << tile.X << " " << tile.Y << " size " << tile.Width << " x "
              << tile.Height << ": " << tile.Resolution << "\n";
@@ -210,11 +209,6 @@ void vtkVirtualSoftShadowPass::AddStatistics(vtkSoftShadowStatistics& statistics
 {
   const Internals& impl = *this->Impl;
   statistics.BytesHeld += impl.Planner.GetBytes() + impl.Drawing.GetBytes();
-  for (const auto& emitter : impl.Emitters)
-  {
-    statistics.BytesHeld += emitter.second.Maps.GetBytes();
-  }
-  statistics.DrawCalls += impl.Planner.GetNumberOfDrawCalls();
   statistics.ShaderBuilds += impl.Planner.GetNumberOfBuilds() + impl.Drawing.GetNumberOfBuilds();
 }
 
@@ -225,10 +219,6 @@ void vtkVirtualSoftShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& impl = *this->Impl;
   impl.Drawing.ReleaseGraphicsResources(window);
   impl.Planner.ReleaseGraphicsResources(window);
-  for (auto& emitter : impl.Emitters)
-  {
-    emitter.second.ReleaseGraphicsResources(window);
-  }
   impl.Emitters.clear();
 }
 

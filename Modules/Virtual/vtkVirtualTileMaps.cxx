@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVirtualTileMaps.h"
 
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkShadowCasters.h"
-#include "vtkShadowDepthMaps.h"
-#include "vtkShadowTextureArray.h"
+#include "vtkSoftShadowServices.h"
 
 #include <algorithm>
 
@@ -32,7 +29,8 @@ vtkShadowMapView vtkVirtualTileMaps::GetTileView(
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualTileMaps::DropUnused(vtkRenderer* renderer, const std::vector<vtkVirtualTile>& tiles)
+void vtkVirtualTileMaps::DropUnused(
+  const vtkSoftShadowServices& services, const std::vector<vtkVirtualTile>& tiles)
 {
   std::map<int, size_t> wanted;
   for (const vtkVirtualTile& tile : tiles)
@@ -44,7 +42,7 @@ void vtkVirtualTileMaps::DropUnused(vtkRenderer* renderer, const std::vector<vtk
     // A texture keeps layers in reserve, but no more than it uses.
     if (iterator->second->Views.size() > 2 * wanted[iterator->first])
     {
-      iterator->second->Maps->ReleaseGraphicsResources(renderer->GetRenderWindow());
+      services.ReleaseMaps(iterator->first);
       iterator = this->Resolutions.erase(iterator);
     }
     else
@@ -65,7 +63,6 @@ void vtkVirtualTileMaps::KeepLayers()
       slots = std::make_unique<Slots>();
     }
     const auto found = std::find(slots->Views.begin(), slots->Views.end(), entry.View);
-    entry.Maps = slots->Maps;
     entry.Layer = found == slots->Views.end() ? -1 : static_cast<int>(found - slots->Views.begin());
     if (entry.Layer >= 0)
     {
@@ -97,73 +94,51 @@ void vtkVirtualTileMaps::FillLayers()
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualTileMaps::Work vtkVirtualTileMaps::Update(vtkRenderer* renderer,
-  vtkShadowCasters* casters, const vtkShadowMapView& whole,
-  const std::vector<vtkVirtualTile>& tiles, int gridSize)
+bool vtkVirtualTileMaps::Update(
+  const vtkSoftShadowServices& services, const std::vector<vtkVirtualTile>& tiles, int gridSize)
 {
-  this->DropUnused(renderer, tiles);
+  this->DropUnused(services, tiles);
   this->Entries.clear();
   for (const vtkVirtualTile& tile : tiles)
   {
     Entry entry;
     entry.Tile = tile;
-    entry.View = GetTileView(whole, tile, gridSize);
+    entry.View = GetTileView(services.GetMapView(), tile, gridSize);
     this->Entries.push_back(entry);
   }
+  const vtkMTimeType castersTime = services.Casters->GetCastersTime();
   for (auto& resolution : this->Resolutions)
   {
     Slots& slots = *resolution.second;
-    if (this->CastersTime != casters->GetCastersTime())
+    if (this->CastersTime != castersTime)
     {
       slots.Views.clear(); // nothing that is held is worth keeping
     }
     slots.Used.assign(slots.Views.size(), false);
   }
-  this->CastersTime = casters->GetCastersTime();
+  this->CastersTime = castersTime;
   this->KeepLayers();
   this->FillLayers();
-  Work work;
+  bool isComplete = true;
   for (auto& resolution : this->Resolutions)
   {
+    const int edge = resolution.first;
     Slots& slots = *resolution.second;
-    const vtkTypeInt64 calls = slots.Maps->GetNumberOfDrawCalls();
-    const int baked = slots.Maps->Bake(renderer, casters, slots.Views, resolution.first);
-    if (baked < 0)
+    vtkShadowDepthMaps* maps =
+      slots.Views.empty() ? nullptr : services.BakeMaps(slots.Views, edge, edge);
+    for (Entry& entry : this->Entries)
     {
-      // No such texture: tiles without a map are left out.
-      work.Failed = true;
-      slots.Views.clear();
-      this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
-                            [&slots](const Entry& entry) { return entry.Maps == slots.Maps; }),
-        this->Entries.end());
-      continue;
+      entry.Maps = entry.Tile.Resolution == edge ? maps : entry.Maps;
     }
-    work.Maps += baked;
-    work.Texels += static_cast<vtkTypeInt64>(baked) * resolution.first * resolution.first;
-    work.DrawCalls += slots.Maps->GetNumberOfDrawCalls() - calls;
+    if (!maps)
+    {
+      isComplete = isComplete && slots.Views.empty();
+      slots.Views.clear(); // no such texture: tiles without a map are left out
+    }
   }
-  return work;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkVirtualTileMaps::GetBytes() const
-{
-  vtkTypeInt64 bytes = 0;
-  for (const auto& resolution : this->Resolutions)
-  {
-    bytes += resolution.second->Maps->GetTexture()->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkVirtualTileMaps::ReleaseGraphicsResources(vtkWindow* window)
-{
-  for (auto& resolution : this->Resolutions)
-  {
-    resolution.second->Maps->ReleaseGraphicsResources(window);
-  }
-  this->Resolutions.clear();
-  this->Entries.clear();
+  this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
+                        [](const Entry& entry) { return !entry.Maps; }),
+    this->Entries.end());
+  return isComplete;
 }
 VTK_ABI_NAMESPACE_END

@@ -5,13 +5,12 @@
  * @brief   The depth maps of one emitter's tiles, kept while neither casters nor tiles change.
  *
  * All layers of a texture share one resolution, so there is a texture per resolution in use, and a
- * tile keeps its layer for as long as it is wanted.
+ * tile keeps its layer for as long as it is wanted. Textures are the services'.
  */
 
 #ifndef vtkVirtualTileMaps_h
 #define vtkVirtualTileMaps_h
 
-#include "vtkNew.h"             // For members
 #include "vtkShadowMapView.h"   // For views
 #include "vtkSoftShadowsABI.h"  // For the ABI namespace
 #include "vtkType.h"            // For times
@@ -22,10 +21,8 @@
 #include <vector> // For tiles
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkRenderer;
-class vtkShadowCasters;
 class vtkShadowDepthMaps;
-class vtkWindow;
+class vtkSoftShadowServices;
 
 class vtkVirtualTileMaps
 {
@@ -44,38 +41,25 @@ public:
     int Layer = 0;
   };
 
-  /// What an update drew.
-  struct Work
-  {
-    int Maps = 0;
-    vtkTypeInt64 Texels = 0;
-    vtkTypeInt64 DrawCalls = 0;
-    /// The driver had no texture for some tiles, which are left out.
-    bool Failed = false;
-  };
-
   /// The part of the whole view that a tile shows; its grid is columns x rows cells.
   static vtkShadowMapView GetTileView(
     const vtkShadowMapView& whole, const vtkVirtualTile& tile, int gridSize);
 
-  /// Makes the maps of the tiles valid. Textures that no tile uses any more are given back.
-  Work Update(vtkRenderer* renderer, vtkShadowCasters* casters, const vtkShadowMapView& whole,
-    const std::vector<vtkVirtualTile>& tiles, int gridSize);
+  /// Makes the maps of the tiles valid. Textures that no tile uses any more are given back. False if the
+  /// driver had no texture for some tiles, which are left out.
+  bool Update(
+    const vtkSoftShadowServices& services, const std::vector<vtkVirtualTile>& tiles, int gridSize);
 
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
-
-  vtkTypeInt64 GetBytes() const;
-  void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   struct Slots
   {
-    vtkNew<vtkShadowDepthMaps> Maps;
     std::vector<vtkShadowMapView> Views; // per layer
     std::vector<bool> Used;              // by a tile of this update
   };
 
-  void DropUnused(vtkRenderer* renderer, const std::vector<vtkVirtualTile>& tiles);
+  void DropUnused(const vtkSoftShadowServices& services, const std::vector<vtkVirtualTile>& tiles);
   void KeepLayers();
   void FillLayers();
 

@@ -8,9 +8,10 @@
 #ifndef vtkSoftShadowContext_h
 #define vtkSoftShadowContext_h
 
-#include "vtkShadowEmitter.h"  // For the emitter
-#include "vtkSoftShadowsABI.h" // For the ABI namespace
-#include "vtkType.h"           // For numbers
+#include "vtkRenderingSoftShadowsVisibilityModule.h" // For export macro
+#include "vtkShadowEmitter.h"                        // For the emitter
+#include "vtkSoftShadowsABI.h"                       // For the ABI namespace
+#include "vtkType.h"                                 // For numbers
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkLight;
@@ -22,7 +23,7 @@ class vtkShadowDepthPyramid;
 class vtkShadowMapFitter;
 class vtkShadowReceivers;
 
-struct vtkSoftShadowContext
+struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowContext
 {
   ///@{
   /// The frame.
@@ -46,7 +47,7 @@ struct vtkSoftShadowContext
   /// The settings of the pass.
   /// Texels along an edge of a map, no more than this OpenGL allows.
   int MapSize = 0;
-  /// Bytes of depth maps that one light may hold at a time, all its parts together.
+  /// Bytes of depth maps that may be held at a time.
   vtkTypeInt64 MapMemory = 0;
   bool EarlyOut = true;
   ///@}
@@ -68,6 +69,9 @@ struct vtkSoftShadowContext
   /// A pyramid over Maps if the technique requires one.
   vtkShadowDepthPyramid* Pyramid = nullptr;
   ///@}
+
+  /// Whether a renderer has a light, lit or not. The light is compared, not followed.
+  static bool HasLight(vtkRenderer* renderer, const vtkLight* light);
 };
 
 VTK_ABI_NAMESPACE_END

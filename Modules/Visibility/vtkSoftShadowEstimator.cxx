@@ -11,6 +11,7 @@
 #include "vtkShadowFailures.h"
 #include "vtkShadowLimits.h"
 #include "vtkShadowMapFitter.h"
+#include "vtkShadowMapStore.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowLights.h"
@@ -39,6 +40,12 @@ int GetMapSize(const Requirements& requirements, const vtkSoftShadowServices& se
     : services.MapSize;
 }
 
+// How often a light is cut along each axis.
+int GetSplit(const vtkSoftShadowEstimator::Job& job)
+{
+  return job.Requirements.CutLights ? job.Split : 1;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -49,33 +56,18 @@ vtkSoftShadowEstimator::vtkSoftShadowEstimator()
 }
 
 //------------------------------------------------------------------------------
-int vtkSoftShadowEstimator::BakeMaps(const Job& job, vtkSoftShadowServices& services)
+int vtkSoftShadowEstimator::FitViews(const Job& job, const vtkSoftShadowServices& services)
 {
-  const Requirements& requirements = job.Requirements;
-  const bool proves = services.EarlyOut && requirements.Proof != Requirements::PROVES_NOTHING;
-  const bool pyramid = proves || requirements.Pyramid;
-  const int split = requirements.CutLights ? job.Split : 1;
-  const bool faceMaps = pyramid || (split == 1 && requirements.EmitterMap);
-  const int mapSize = GetMapSize(requirements, services);
   int tooNear = 0;
   for (const vtkSoftShadowLights::LitLight& light : *job.Lights)
   {
-    if (!light.Casts)
+    if (light.Casts)
     {
-      continue;
+      vtkSoftShadowLightFit& fit = job.Lights->GetFit(light.Layer);
+      fit.Fit(light.Emitter, *services.Fitter, services.Casters->GetBodiesTime(), GetSplit(job),
+        job.Requirements.GaussianWeights);
+      tooNear += fit.GetNumberTooNear();
     }
-    vtkSoftShadowLightMaps& maps = job.Lights->GetMaps(light.Layer);
-    const vtkShadowFailures failures;
-    maps.Fit(light.Emitter, *services.Fitter, services.Casters->GetBodiesTime(), split,
-      requirements.GaussianWeights);
-    tooNear += maps.GetNumberTooNear();
-    if (faceMaps)
-    {
-      services.CountBakes(maps.BakeFaces(services.Renderer, services.Casters, mapSize,
-                            requirements.ConservativeMap, pyramid),
-        mapSize);
-    }
-    job.Losses->Lose(light.Layer, failures.GetFirst());
   }
   return tooNear;
 }
@@ -145,28 +137,20 @@ void vtkSoftShadowEstimator::EstimateOrPrepare(
 void vtkSoftShadowEstimator::PrepareLight(
   const Job& job, vtkSoftShadowServices& services, int layer)
 {
-  vtkSoftShadowLightMaps& maps = job.Lights->GetMaps(layer);
-  const std::vector<vtkSoftShadowLightMaps::Face>& faces = maps.GetFaces();
-  size_t parts = 0;
-  for (const vtkSoftShadowLightMaps::Face& face : faces)
-  {
-    parts += face.Parts.size();
-  }
-  if (parts > faces.size() && job.Requirements.EmitterMap &&
-    parts > services.GetMapsPerBatch(GetMapSize(job.Requirements, services)))
+  const vtkSoftShadowLightFit& fit = job.Lights->GetFit(layer);
+  if (GetSplit(job) > 1 && job.Requirements.EmitterMap &&
+    fit.GetNumberOfParts() > services.GetMapsPerBatch(GetMapSize(job.Requirements, services)))
   {
     return; // they would be drawn twice
   }
   services.Part = 0;
-  for (size_t f = 0; f < faces.size(); ++f)
+  for (size_t f = 0; f < fit.GetFaces().size(); ++f)
   {
-    services.FaceAxis = faces[f].Axis;
-    for (size_t p = 0; p < faces[f].Parts.size(); ++p)
+    const vtkSoftShadowLightFit::Face& face = fit.GetFaces()[f];
+    services.FaceAxis = face.Axis;
+    for (size_t p = 0; p < face.Parts.size(); ++p)
     {
-      services.Maps = maps.GetFaceMaps();
-      services.Pyramid = maps.GetFacePyramid();
-      services.Layer = faces[f].Layer;
-      if (this->SelectPart(job, services, layer, f, p))
+      if (this->SelectFaces(job, services, layer) && this->SelectPart(job, services, layer, f, p))
       {
         job.Technique->Prepare(services);
       }
@@ -184,19 +168,21 @@ void vtkSoftShadowEstimator::EstimateLight(
   const Job& job, vtkSoftShadowServices& services, int layer)
 {
   services.BeginStep("visibility");
-  vtkSoftShadowLightMaps& maps = job.Lights->GetMaps(layer);
+  const vtkSoftShadowLightFit& fit = job.Lights->GetFit(layer);
   if (!job.Target->BeginLight(services.Window, layer))
   {
     return;
   }
   services.Part = 0;
-  for (size_t f = 0; f < maps.GetFaces().size(); ++f)
+  for (size_t f = 0; f < fit.GetFaces().size(); ++f)
   {
-    const vtkSoftShadowLightMaps::Face& face = maps.GetFaces()[f];
+    const vtkSoftShadowLightFit::Face& face = fit.GetFaces()[f];
+    if (!this->SelectFaces(job, services, layer))
+    {
+      return;
+    }
     services.FaceAxis = face.Axis;
     services.Emitter = face.Emitter;
-    services.Maps = maps.GetFaceMaps();
-    services.Pyramid = maps.GetFacePyramid();
     services.Layer = face.Layer;
     job.Target->BeginMarks(services.Window);
     this->DrawMarks(job, services, face.HasCasters ? &face.View : nullptr);
@@ -211,27 +197,69 @@ void vtkSoftShadowEstimator::EstimateLight(
 }
 
 //------------------------------------------------------------------------------
+// The maps of all faces. Without one nothing is selected.
+bool vtkSoftShadowEstimator::SelectFaces(const Job& job, vtkSoftShadowServices& services, int layer)
+{
+  const Requirements& requirements = job.Requirements;
+  const bool proves = services.EarlyOut && requirements.Proof != Requirements::PROVES_NOTHING;
+  services.Maps = nullptr;
+  services.Pyramid = this->NoPyramid;
+  services.GetStore().BeginEmitter();
+  vtkShadowMapStore::Request request;
+  request.Pyramid = proves || requirements.Pyramid;
+  if (!request.Pyramid && (GetSplit(job) > 1 || !requirements.EmitterMap))
+  {
+    return true;
+  }
+  request.Views = job.Lights->GetFit(layer).GetFaceViews();
+  request.MapSize = GetMapSize(requirements, services);
+  request.Conservative = requirements.ConservativeMap;
+  return request.Views.empty() ||
+    this->Select(services, { services.Source, 0, vtkSoftShadowServices::FACE_MAPS }, request);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSoftShadowEstimator::Select(vtkSoftShadowServices& services,
+  const vtkShadowMapStore::Key& key, const vtkShadowMapStore::Request& request)
+{
+  services.BeginStep("maps");
+  const vtkShadowMapStore::Maps maps =
+    services.GetStore().Bake(services.Renderer, services.Casters, key, request);
+  services.BeginStep("visibility");
+  services.CountBakes(maps.Baked, request.MapSize);
+  services.Maps = maps.Depths;
+  services.Pyramid = maps.Pyramid ? maps.Pyramid : this->NoPyramid.GetPointer();
+  return maps.Depths != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkSoftShadowEstimator::SelectPart(
   const Job& job, vtkSoftShadowServices& services, int layer, size_t faceIndex, size_t partIndex)
 {
-  vtkSoftShadowLightMaps& maps = job.Lights->GetMaps(layer);
-  const vtkSoftShadowLightMaps::Face& face = maps.GetFaces()[faceIndex];
-  const vtkSoftShadowLightMaps::Part& part = face.Parts[partIndex];
+  const vtkSoftShadowLightFit& fit = job.Lights->GetFit(layer);
+  const vtkSoftShadowLightFit::Face& face = fit.GetFaces()[faceIndex];
+  const vtkSoftShadowLightFit::Part& part = face.Parts[partIndex];
   services.Emitter = part.Emitter;
+  services.Layer = face.Layer;
   if (!part.HasCasters)
   {
     return false;
   }
+  if (face.Parts.size() > 1)
+  {
+    services.GetStore().BeginEmitter();
+  }
   if (job.Requirements.EmitterMap && face.Parts.size() > 1)
   {
-    const int mapSize = GetMapSize(job.Requirements, services);
-    int baked = 0;
-    services.Layer = maps.BakePart(services.Renderer, services.Casters, faceIndex, partIndex,
-      mapSize, job.Requirements.ConservativeMap, services.GetMapsPerBatch(mapSize),
-      job.Requirements.Pyramid, baked);
-    services.Maps = maps.GetPartMaps();
-    services.Pyramid = maps.GetPartPyramid();
-    services.CountBakes(baked, mapSize);
+    vtkShadowMapStore::Request request;
+    request.MapSize = GetMapSize(job.Requirements, services);
+    request.Conservative = job.Requirements.ConservativeMap;
+    request.Pyramid = job.Requirements.Pyramid;
+    size_t selected = 0;
+    request.Views =
+      fit.GetBatch(faceIndex, partIndex, services.GetMapsPerBatch(request.MapSize), selected);
+    services.Layer = static_cast<int>(selected);
+    this->Select(services, { services.Source, 0, vtkSoftShadowServices::PART_MAPS }, request);
   }
   return !vtkShadowFailures::IsFailing();
 }

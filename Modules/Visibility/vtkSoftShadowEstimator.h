@@ -4,13 +4,16 @@
  * @class   vtkSoftShadowEstimator
  * @brief   From lights and receivers to visibility: what a technique is asked for, light by light.
  *
- * Per light: its views are fitted and its maps baked; per face pixels are proved lit or blocked and the
- * others marked; then the technique adds what they see of each part.
+ * Per face of a light: its map is baked, pixels are proved lit or blocked and the others marked; then the
+ * technique adds what they see of each part.
  */
 
 #ifndef vtkSoftShadowEstimator_h
 #define vtkSoftShadowEstimator_h
 
+#include "vtkNew.h"                    // For members
+#include "vtkShadowDepthPyramid.h"     // For members
+#include "vtkShadowMapStore.h"         // For requests
 #include "vtkShadowShader.h"           // For members
 #include "vtkSoftShadowRequirements.h" // For requirements
 #include "vtkSoftShadowsABI.h"         // For the ABI namespace
@@ -42,11 +45,8 @@ public:
     vtkSoftShadowPixelCount* Pixels = nullptr;
   };
 
-  /**
-   * Fits the views of all lights that cast and bakes their faces' maps, where these are needed. Returns
-   * the number of casters too near to their lights.
-   */
-  static int BakeMaps(const Job& job, vtkSoftShadowServices& services);
+  /// Fits the views of all lights that cast. Returns the number of casters too near to their lights.
+  static int FitViews(const Job& job, const vtkSoftShadowServices& services);
 
   /// Estimates the visibilities of all lights that cast. Restores the framebuffer.
   void Estimate(const Job& job, vtkSoftShadowServices& services);
@@ -57,10 +57,14 @@ public:
 private:
   vtkShadowShader ProofShader;
   vtkShadowShader ConstantShader;
+  vtkNew<vtkShadowDepthPyramid> NoPyramid; // of a light without maps
 
   void EstimateOrPrepare(const Job& job, vtkSoftShadowServices& services, bool preparing);
   void PrepareLight(const Job& job, vtkSoftShadowServices& services, int layer);
   void EstimateLight(const Job& job, vtkSoftShadowServices& services, int layer);
+  bool SelectFaces(const Job& job, vtkSoftShadowServices& services, int layer);
+  bool Select(vtkSoftShadowServices& services, const vtkShadowMapStore::Key& key,
+    const vtkShadowMapStore::Request& request);
   bool SelectPart(
     const Job& job, vtkSoftShadowServices& services, int layer, size_t faceIndex, size_t partIndex);
   void EstimatePart(

@@ -45,7 +45,10 @@ void DescribeEmitter(std::ostream& os, vtkLight* light, const vtkShadowEmitter& 
 std::string vtkSoftShadowLights::Collect(vtkRenderer* renderer)
 {
   this->Lights.clear();
+  this->FitsByLayer.clear();
   this->Casting = 0;
+  std::map<const vtkLight*, vtkSoftShadowLightFit> before;
+  before.swap(this->Fits); // what the renderer no longer has goes
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator iterator;
   lights->InitTraversal(iterator);
@@ -53,6 +56,11 @@ std::string vtkSoftShadowLights::Collect(vtkRenderer* renderer)
   int firstWithout = -1;
   while (vtkLight* light = lights->GetNextLight(iterator))
   {
+    const auto known = before.find(light);
+    if (known != before.end())
+    {
+      this->Fits.insert(before.extract(known));
+    }
     if (!light->GetSwitch())
     {
       continue; // mappers number lit lights only
@@ -68,6 +76,10 @@ std::string vtkSoftShadowLights::Collect(vtkRenderer* renderer)
         "this OpenGL has no more than " + std::to_string(mostLayers) + " layers of a texture";
     }
     lit.Layer = lit.Casts ? this->Casting++ : -1;
+    if (lit.Casts)
+    {
+      this->FitsByLayer.push_back(&this->Fits[light]);
+    }
     this->Lights.push_back(lit);
   }
   std::string news;
@@ -127,16 +139,6 @@ std::vector<int> vtkSoftShadowLights::GetNumbersByLayer() const
 }
 
 //------------------------------------------------------------------------------
-vtkSoftShadowLightMaps& vtkSoftShadowLights::GetMaps(int layer)
-{
-  while (this->Maps.size() <= static_cast<size_t>(layer))
-  {
-    this->Maps.push_back(std::make_unique<vtkSoftShadowLightMaps>());
-  }
-  return *this->Maps[layer];
-}
-
-//------------------------------------------------------------------------------
 void vtkSoftShadowLights::AddTo(vtkSoftShadowSignature& signature) const
 {
   for (const LitLight& light : this->Lights)
@@ -160,11 +162,10 @@ std::string vtkSoftShadowLights::Describe() const
       continue;
     }
     DescribeEmitter(report, light.Light, light.Emitter);
-    const vtkSoftShadowLightMaps& maps = *this->Maps[light.Layer];
-    const bool casts = std::any_of(maps.GetFaces().begin(), maps.GetFaces().end(),
-      [](const vtkSoftShadowLightMaps::Face& face) { return face.HasCasters; });
+    const vtkSoftShadowLightFit& fit = *this->FitsByLayer[light.Layer];
+    const bool casts = !fit.GetFaceViews().empty();
     report << (casts ? "; casts" : "; casts nothing: nothing lies in its way");
-    if (const int lost = maps.GetNumberTooNear())
+    if (const int lost = fit.GetNumberTooNear())
     {
       report << ", but not with " << lost
              << " casters, nearer to it than 1e-7 of the distance of the farthest one";
@@ -172,14 +173,5 @@ std::string vtkSoftShadowLights::Describe() const
     report << "\n";
   }
   return report.str();
-}
-
-//------------------------------------------------------------------------------
-void vtkSoftShadowLights::ReleaseGraphicsResources(vtkWindow* window)
-{
-  for (const auto& maps : this->Maps)
-  {
-    maps->ReleaseGraphicsResources(window);
-  }
 }
 VTK_ABI_NAMESPACE_END

@@ -2,23 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSoftShadowLights
- * @brief   The lit lights of a frame in the renderer's order, with the maps of those that cast.
+ * @brief   The lit lights of a frame in the renderer's order, with the views that fit those that cast.
  */
 
 #ifndef vtkSoftShadowLights_h
 #define vtkSoftShadowLights_h
 
-#include "vtkShadowEmitter.h"       // For emitters
-#include "vtkSoftShadowLightMaps.h" // For maps
-#include "vtkSoftShadowsABI.h"      // For the ABI namespace
+#include "vtkShadowEmitter.h"      // For emitters
+#include "vtkSoftShadowLightFit.h" // For fits
+#include "vtkSoftShadowsABI.h"     // For the ABI namespace
 
-#include <memory> // For maps
+#include <map>    // For fits
 #include <string> // For reasons
 #include <vector> // For lists
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkLight;
 class vtkRenderer;
+class vtkShadowMapFitter;
 class vtkSoftShadowLosses;
 class vtkSoftShadowSignature;
 
@@ -57,23 +58,18 @@ public:
   /// The numbers of the lights that cast, by layer.
   std::vector<int> GetNumbersByLayer() const;
 
-  /// The maps of a light that casts, made if need be.
-  vtkSoftShadowLightMaps& GetMaps(int layer);
-  const std::vector<std::unique_ptr<vtkSoftShadowLightMaps>>& GetAllMaps() const
-  {
-    return this->Maps;
-  }
+  /// The views that fit a light that casts.
+  vtkSoftShadowLightFit& GetFit(int layer) { return *this->FitsByLayer[layer]; }
 
   void AddTo(vtkSoftShadowSignature& signature) const;
 
   /// A line per light: what it casts, or why it casts nothing.
   std::string Describe() const;
 
-  void ReleaseGraphicsResources(vtkWindow* window);
-
 private:
   std::vector<LitLight> Lights;
-  std::vector<std::unique_ptr<vtkSoftShadowLightMaps>> Maps; // by layer
+  std::map<const vtkLight*, vtkSoftShadowLightFit> Fits; // of the renderer's lights, lit or not
+  std::vector<vtkSoftShadowLightFit*> FitsByLayer;
   int Casting = 0;
   bool ToldLayers = false; // that there are more lights than layers
 };

@@ -217,7 +217,7 @@ void vtkSoftShadowPass::EstimateVisibility(const vtkRenderState* s, bool changed
   impl.Hooks.VisibilityUnit = scope.GetFreeUnit();
   vtkSoftShadowTimers& timers = visibilities.GetTimers();
   timers.BeginStep("maps");
-  if (visibilities.BakeMaps() > 0 && !impl.WarnedOfRange)
+  if (visibilities.FitViews() > 0 && !impl.WarnedOfRange)
   {
     impl.WarnedOfRange = true;
     vtkWarningMacro("Some shadows near lights are lost:\n" << this->GetLightReport());

@@ -6,10 +6,11 @@
  *
  * A frame, in order:
  *  1. casters: bring the cached geometry up to date;
- *  2. maps: bake the depth maps that something changed;
+ *  2. maps: fit views to the lights;
  *  3. receivers: the visible point of every pixel, drawn by the mappers' own programs;
- *  4. visibility: per light, prove pixels lit or blocked where the technique allows it, and let the
- *     technique estimate the rest, one emitter (a light or a part of one) at a time;
+ *  4. visibility: per light, bake the depth maps that something changed, prove pixels lit or blocked where
+ *     the technique allows it, and let the technique estimate the rest, one emitter (a light or a part of
+ *     one) at a time;
  *  5. shading: the mappers draw as ever, each light's colour multiplied by its visibility.
  * Steps 3 and 4 are skipped while neither camera, lights, props nor settings change; in progressive
  * mode points of the lights are added to a running mean instead.
@@ -99,9 +100,10 @@ public:
 
   ///@{
   /**
-   * Memory for depth maps that one light may hold at a time, all its parts together, in MiB, in [0, 65536].
-   * Lights with more maps than fit draw them in batches, every frame anew. 0, the default, is a quarter of
-   * what the driver says is free when the pass first draws, or 1024 where it does not say.
+   * Memory for the depth maps of all lights together, in MiB, in [0, 65536]. Maps that do not fit are drawn
+   * anew whenever visibility is, an emitter's own in batches; what is least recently used goes first. 0, the
+   * default, is a quarter of what the driver says is free when the pass first draws, or 1024 where it does
+   * not say. What one emitter needs at a time, a map at least, is held in any case.
    */
   vtkSetClampMacro(MapMemory, int, 0, 65536);
   vtkGetMacro(MapMemory, int);

@@ -165,7 +165,7 @@ bool vtkSoftShadowRefinement::AddRun(const Job& job, vtkSoftShadowServices& serv
 bool vtkSoftShadowRefinement::AddPoint(
   const Job& job, vtkSoftShadowServices& services, int layer, int index)
 {
-  const std::vector<vtkSoftShadowLightMaps::Face>& faces = job.Lights->GetMaps(layer).GetFaces();
+  const std::vector<vtkSoftShadowLightFit::Face>& faces = job.Lights->GetFit(layer).GetFaces();
   if (index > 0 && !faces.front().Emitter.HasExtent())
   {
     return true; // all its points are the first
@@ -235,7 +235,7 @@ void vtkSoftShadowRefinement::LookAtMean(const Job& job, const vtkSoftShadowServ
     std::vector<float> tiles = this->Accumulator.ReadChanges(services.Window, services.Receivers,
       layer, this->GetMeanScale(layer),
       maps ? vtkSoftShadowAccumulator::COMMON : vtkSoftShadowAccumulator::ALL);
-    const bool hard = !job.Lights->GetMaps(layer).GetFaces().front().Emitter.HasExtent();
+    const bool hard = !job.Lights->GetFit(layer).GetFaces().front().Emitter.HasExtent();
     std::transform(tiles.begin(), tiles.end(), tiles.begin(),
       [maps, hard](float tile)
       { return maps && hard ? vtkSoftShadowSchedule::HardShare * tile : tile; });

@@ -7,8 +7,10 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowDepthMaps.h"
 #include "vtkShadowLimits.h"
+#include "vtkShadowMapStore.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
+#include "vtkSoftShadowFits.h"
 #include "vtkSoftShadowPixelCount.h"
 #include "vtkSoftShadowStatistics.h"
 #include "vtkSoftShadowTimers.h"
@@ -56,11 +58,8 @@ void SetDepthUniforms(vtkShaderProgram* program, const vtkShadowMapView* views, 
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkSoftShadowServices::vtkSoftShadowServices(
-  vtkSoftShadowTimers& timers, vtkSoftShadowStatistics& statistics, vtkSoftShadowPixelCount& pixels)
-  : Timers(&timers)
-  , Statistics(&statistics)
-  , Pixels(&pixels)
+vtkSoftShadowServices::vtkSoftShadowServices(const Tools& tools)
+  : Used(tools)
 {
 }
 
@@ -140,6 +139,32 @@ vtkSoftShadowSamples vtkSoftShadowServices::FitSamples(
 }
 
 //------------------------------------------------------------------------------
+const vtkSoftShadowSamples& vtkSoftShadowServices::FitSamples(int set, vtkMTimeType settings,
+  const std::function<std::vector<vtkShadowLightSampling::Sample>()>& points) const
+{
+  return this->Used.Fits->Get(*this, set, settings, points);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowDepthMaps* vtkSoftShadowServices::BakeMaps(
+  const std::vector<vtkShadowMapView>& views, int mapSize, int texture) const
+{
+  vtkShadowMapStore::Request request;
+  request.Views = views;
+  request.MapSize = mapSize;
+  const vtkShadowMapStore::Maps maps = this->Used.Store->Bake(this->Renderer, this->Casters,
+    { this->Source, this->Part, FIRST_OF_TECHNIQUE + texture }, request);
+  this->CountBakes(maps.Baked, mapSize);
+  return maps.Depths;
+}
+
+//------------------------------------------------------------------------------
+void vtkSoftShadowServices::ReleaseMaps(int texture) const
+{
+  this->Used.Store->Release({ this->Source, this->Part, FIRST_OF_TECHNIQUE + texture });
+}
+
+//------------------------------------------------------------------------------
 void vtkSoftShadowServices::SetSampleUniforms(vtkShaderProgram* program,
   const vtkShadowMapView* views, const float* weights, size_t count, size_t firstLayer, int mapSize,
   int filterSize) const
@@ -181,7 +206,7 @@ void vtkSoftShadowServices::SetAffineMapUniforms(
 //------------------------------------------------------------------------------
 void vtkSoftShadowServices::DrawMarked(vtkShadowShader& shader) const
 {
-  this->Pixels->Draw(this->Window, shader);
+  this->Used.Pixels->Draw(this->Window, shader);
 }
 
 //------------------------------------------------------------------------------
@@ -202,26 +227,26 @@ void vtkSoftShadowServices::CountBakes(int maps, int mapSize) const
 //------------------------------------------------------------------------------
 void vtkSoftShadowServices::CountMaps(int maps, vtkTypeInt64 texels) const
 {
-  this->Statistics->MapsBaked += maps;
-  this->Statistics->TexelsDrawn += texels;
+  this->Used.Statistics->MapsBaked += maps;
+  this->Used.Statistics->TexelsDrawn += texels;
 }
 
 //------------------------------------------------------------------------------
 void vtkSoftShadowServices::CountAllocations(int textures) const
 {
-  this->Statistics->Allocations += textures;
+  this->Used.Statistics->Allocations += textures;
 }
 
 //------------------------------------------------------------------------------
 void vtkSoftShadowServices::BeginStep(const char* name, bool onProcessor) const
 {
-  this->Timers->BeginStep(name, onProcessor);
+  this->Used.Timers->BeginStep(name, onProcessor);
 }
 
 //------------------------------------------------------------------------------
 void vtkSoftShadowServices::SetCounts(
   std::vector<std::pair<std::string, vtkTypeInt64>> counts) const
 {
-  this->Statistics->TechniqueCounts = std::move(counts);
+  this->Used.Statistics->TechniqueCounts = std::move(counts);
 }
 VTK_ABI_NAMESPACE_END

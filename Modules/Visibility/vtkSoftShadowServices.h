@@ -16,13 +16,16 @@
 #include "vtkSoftShadowSamples.h" // For samples
 #include "vtkSoftShadowsABI.h"    // For the ABI namespace
 
-#include <string>  // For names
-#include <utility> // For counts
-#include <vector>  // For points
+#include <functional> // For points
+#include <string>     // For names
+#include <utility>    // For counts
+#include <vector>     // For points
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkShaderProgram;
 class vtkShadowShader;
+class vtkShadowMapStore;
+class vtkSoftShadowFits;
 class vtkSoftShadowPixelCount;
 class vtkSoftShadowTimers;
 struct vtkSoftShadowStatistics;
@@ -30,9 +33,16 @@ struct vtkSoftShadowStatistics;
 class VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowServices : public vtkSoftShadowContext
 {
 public:
-  /// Whom to tell; all live longer.
-  vtkSoftShadowServices(vtkSoftShadowTimers& timers, vtkSoftShadowStatistics& statistics,
-    vtkSoftShadowPixelCount& pixels);
+  /// Whom they ask and tell; all live longer.
+  struct Tools
+  {
+    vtkSoftShadowTimers* Timers = nullptr;
+    vtkSoftShadowStatistics* Statistics = nullptr;
+    vtkSoftShadowPixelCount* Pixels = nullptr;
+    vtkShadowMapStore* Store = nullptr;
+    vtkSoftShadowFits* Fits = nullptr;
+  };
+  explicit vtkSoftShadowServices(const Tools& tools);
 
   /**
    * Sets the uniforms of the snippets vtkShadowReceiver and vtkShadowLight and binds the receivers.
@@ -51,6 +61,23 @@ public:
 
   /// The views that fit points of the emitter, from the points themselves.
   vtkSoftShadowSamples FitSamples(const std::vector<vtkShadowLightSampling::Sample>& points) const;
+
+  /**
+   * The same, kept until the emitter, what casts or settings (a time) changes: a set of the emitter's
+   * points, told apart by its number. points are made only if they must be.
+   */
+  const vtkSoftShadowSamples& FitSamples(int set, vtkMTimeType settings,
+    const std::function<std::vector<vtkShadowLightSampling::Sample>()>& points) const;
+
+  /**
+   * Makes maps of the views valid and counts them: a texture of the emitter's, told apart by its number.
+   * It stays valid until the next emitter, and is kept beyond as memory allows. Null if it cannot be had.
+   */
+  vtkShadowDepthMaps* BakeMaps(
+    const std::vector<vtkShadowMapView>& views, int mapSize, int texture = 0) const;
+
+  /// Gives such a texture back.
+  void ReleaseMaps(int texture) const;
 
   /**
    * Sets the uniforms of vtkShadowSamples and vtkShadowDepthMap, but for the sampler: count views,
@@ -75,7 +102,7 @@ public:
   /// Draws the technique's shader over the marked pixels and counts the pixels that it filters.
   void DrawMarked(vtkShadowShader& shader) const;
 
-  /// Whether bytes of the depth maps of one light are more than MapMemory.
+  /// Whether so many bytes are more than MapMemory.
   bool ExceedsMapMemory(vtkTypeInt64 bytes) const { return bytes > this->MapMemory; }
 
   /// How many maps of that size fit a share of MapMemory and the layers of a texture, at least 1.
@@ -99,10 +126,19 @@ public:
   /// What a technique counts beyond the statistics' own, by name.
   void SetCounts(std::vector<std::pair<std::string, vtkTypeInt64>> counts) const;
 
+  /// The maps' store, for who bakes for others.
+  vtkShadowMapStore& GetStore() const { return *this->Used.Store; }
+
+  /// Which textures of an emitter are not its technique's own: maps from the centres of faces and parts.
+  enum MapKind
+  {
+    FACE_MAPS = 0,
+    PART_MAPS = 1,
+    FIRST_OF_TECHNIQUE = 2
+  };
+
 private:
-  vtkSoftShadowTimers* Timers;
-  vtkSoftShadowStatistics* Statistics;
-  vtkSoftShadowPixelCount* Pixels;
+  Tools Used;
 };
 
 VTK_ABI_NAMESPACE_END

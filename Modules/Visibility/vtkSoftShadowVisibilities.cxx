@@ -61,7 +61,13 @@ vtkTypeInt64 vtkSoftShadowVisibilities::GetFreeMemory()
 vtkSoftShadowServices vtkSoftShadowVisibilities::MakeServices(
   const vtkShadowMapFitter& fitter, Set& set)
 {
-  vtkSoftShadowServices services(this->Timers, this->Statistics, set.Pixels);
+  vtkSoftShadowServices::Tools tools;
+  tools.Timers = &this->Timers;
+  tools.Statistics = &this->Statistics;
+  tools.Pixels = &set.Pixels;
+  tools.Store = &this->Maps;
+  tools.Fits = &this->Fits;
+  vtkSoftShadowServices services(tools);
   services.Renderer = this->Renderer;
   services.Window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
   services.Casters = this->Casters;
@@ -108,11 +114,11 @@ void vtkSoftShadowVisibilities::Restart(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-int vtkSoftShadowVisibilities::BakeMaps()
+int vtkSoftShadowVisibilities::FitViews()
 {
   const vtkShadowMapFitter fitter(this->Casters->GetBodies());
-  vtkSoftShadowServices services = this->MakeServices(fitter, this->Picture);
-  return vtkSoftShadowEstimator::BakeMaps(this->MakeJob(this->Picture), services);
+  return vtkSoftShadowEstimator::FitViews(
+    this->MakeJob(this->Picture), this->MakeServices(fitter, this->Picture));
 }
 
 //------------------------------------------------------------------------------
@@ -129,6 +135,9 @@ void vtkSoftShadowVisibilities::Estimate(Set& set, bool changed)
   services.Estimate = ++this->Estimates;
   services.Changed = changed || this->IsDataLast;
   this->IsDataLast = services.IsData;
+  this->Maps.SetBudget(this->Given.MapMemory);
+  this->Maps.Begin(this->Renderer);
+  this->Fits.Begin(this->Renderer);
   this->Estimator.Estimate(this->MakeJob(set), services);
 }
 
@@ -230,19 +239,16 @@ void vtkSoftShadowVisibilities::UpdateStatistics()
   statistics.Casters = this->Casters->GetNumberOfCasters();
   statistics.MapperCasters = this->Casters->GetNumberOfMapperCasters();
   statistics.Triangles = this->Casters->GetNumberOfTriangles();
-  statistics.BytesHeld = this->Casters->GetBytes() + this->Receivers->GetBytes();
+  statistics.BytesHeld =
+    this->Casters->GetBytes() + this->Receivers->GetBytes() + this->Maps.GetBytes();
   for (Set* set : { &this->Picture, &this->Data })
   {
     statistics.BytesHeld += set->Target.GetBytes() + set->Refinement.GetBytes();
   }
-  statistics.DrawCalls = this->Picture.Refinement.GetNumberOfDrawCalls();
+  statistics.DrawCalls =
+    this->Picture.Refinement.GetNumberOfDrawCalls() + this->Maps.GetNumberOfDrawCalls();
   statistics.ShaderBuilds =
     this->Estimator.GetNumberOfBuilds() + this->Picture.Refinement.GetNumberOfBuilds();
-  for (const auto& maps : this->Lights.GetAllMaps())
-  {
-    statistics.BytesHeld += maps->GetBytes();
-    statistics.DrawCalls += maps->GetNumberOfDrawCalls();
-  }
   this->Technique.AddStatistics(statistics);
   statistics.Milliseconds = this->Timers.Collect();
 }
@@ -259,7 +265,7 @@ void vtkSoftShadowVisibilities::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Casters->ReleaseGraphicsResources(window);
   this->Receivers->ReleaseGraphicsResources(window);
-  this->Lights.ReleaseGraphicsResources(window);
+  this->Maps.ReleaseGraphicsResources(window);
   this->Estimator.ReleaseGraphicsResources(window);
   this->Picture.ReleaseGraphicsResources(window);
   this->ReleaseData(window);

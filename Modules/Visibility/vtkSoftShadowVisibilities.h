@@ -14,9 +14,11 @@
 #include "vtkNew.h" // For members
 #include "vtkRenderer.h"
 #include "vtkShadowCasters.h"
+#include "vtkShadowMapStore.h"
 #include "vtkShadowReceivers.h"
 #include "vtkSmartPointer.h"
 #include "vtkSoftShadowEstimator.h"
+#include "vtkSoftShadowFits.h"
 #include "vtkSoftShadowLights.h"
 #include "vtkSoftShadowLosses.h"
 #include "vtkSoftShadowPixelCount.h"
@@ -72,8 +74,8 @@ public:
   /// Forgets what was refined or read of the visibilities that are held.
   void Restart(vtkWindow* window);
 
-  /// Fits and bakes. Returns the number of casters too near to their lights.
-  int BakeMaps();
+  /// Fits views to the lights. Returns the number of casters too near to their lights.
+  int FitViews();
 
   /// Estimates the picture's from maps and receivers.
   void Estimate(bool changed);
@@ -134,6 +136,8 @@ private:
   vtkNew<vtkShadowCasters> Casters;
   vtkNew<vtkShadowReceivers> Receivers;
   vtkSoftShadowLights Lights;
+  vtkShadowMapStore Maps;
+  vtkSoftShadowFits Fits;
   vtkSoftShadowEstimator Estimator;
   vtkSoftShadowLosses Losses; // of the visibilities that are held
   vtkSoftShadowTimers Timers;
