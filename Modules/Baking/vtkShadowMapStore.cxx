@@ -70,6 +70,14 @@ vtkShadowMapStore::vtkShadowMapStore() = default;
 vtkShadowMapStore::~vtkShadowMapStore() = default;
 
 //------------------------------------------------------------------------------
+void vtkShadowMapStore::SetBudget(vtkTypeInt64 bytes)
+{
+  this->IsBudgetLess =
+    this->IsBudgetLess || (bytes > 0 && (this->Budget == 0 || bytes < this->Budget));
+  this->Budget = bytes;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowMapStore::Begin(vtkRenderer* renderer)
 {
   this->FrameBegin = this->Uses;
@@ -90,6 +98,11 @@ void vtkShadowMapStore::Begin(vtkRenderer* renderer)
   this->Entries.erase(
     std::remove_if(this->Entries.begin(), this->Entries.end(), isGone), this->Entries.end());
   this->BeginEmitter();
+  while (this->IsBudgetLess && this->GetBytes() > this->Budget)
+  {
+    this->Remove(this->FindVictim(nullptr, nullptr));
+  }
+  this->IsBudgetLess = false;
 }
 
 //------------------------------------------------------------------------------

@@ -68,8 +68,8 @@ public:
     int Baked = 0;                            // layers, just now
   };
 
-  /// Bytes of all maps and pyramids together.
-  void SetBudget(vtkTypeInt64 bytes) { this->Budget = bytes; }
+  /// Bytes of all maps and pyramids together; 0: no budget. What is beyond a smaller one goes in Begin.
+  void SetBudget(vtkTypeInt64 bytes);
 
   /// Begins a frame. What belongs to lights that the renderer no longer has goes.
   void Begin(vtkRenderer* renderer);
@@ -103,8 +103,9 @@ private:
   void Remove(const Entry* entry);
 
   std::vector<std::unique_ptr<Entry>> Entries;
-  vtkTypeInt64 Budget = 0; // 0: none
-  vtkTypeInt64 Uses = 0;   // a clock
+  vtkTypeInt64 Budget = 0;
+  bool IsBudgetLess = false; // than before
+  vtkTypeInt64 Uses = 0;     // a clock
   vtkTypeInt64 FrameBegin = 0;
   vtkTypeInt64 EmitterBegin = 0;
   vtkTypeInt64 DrawCalls = 0; // of what is gone

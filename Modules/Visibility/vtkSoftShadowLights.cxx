@@ -17,10 +17,10 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-void DescribeEmitter(std::ostream& os, vtkLight* light, const vtkShadowEmitter& emitter)
+void DescribeEmitter(std::ostream& os, bool positional, const vtkShadowEmitter& emitter)
 {
   const char* const shapes[] = { "a rectangle", "a disk", "a point" };
-  if (emitter.Directional && light->GetPositional())
+  if (emitter.Directional && positional)
   {
     os << "positional, but so far away that its rays are parallel: ";
   }
@@ -67,6 +67,7 @@ std::string vtkSoftShadowLights::Collect(vtkRenderer* renderer)
     }
     LitLight lit;
     lit.Light = light;
+    lit.Positional = light->GetPositional() != 0;
     lit.Casts = vtkShadowEmitter::FromLight(light, lit.Emitter, lit.Reason);
     if (lit.Casts && this->Casting == mostLayers)
     {
@@ -161,7 +162,7 @@ std::string vtkSoftShadowLights::Describe() const
       report << "casts nothing: " << light.Reason << "\n";
       continue;
     }
-    DescribeEmitter(report, light.Light, light.Emitter);
+    DescribeEmitter(report, light.Positional, light.Emitter);
     const vtkSoftShadowLightFit& fit = *this->FitsByLayer[light.Layer];
     const bool casts = !fit.GetFaceViews().empty();
     report << (casts ? "; casts" : "; casts nothing: nothing lies in its way");

@@ -28,7 +28,8 @@ class vtkSoftShadowLights
 public:
   struct LitLight
   {
-    vtkLight* Light = nullptr;
+    vtkLight* Light = nullptr; // may have died since it was collected
+    bool Positional = false;
     bool Casts = false;
     vtkShadowEmitter Emitter;
     std::string Reason; // why it casts nothing

@@ -138,6 +138,7 @@ void vtkSoftShadowVisibilities::Estimate(Set& set, bool changed)
   this->Maps.SetBudget(this->Given.MapMemory);
   this->Maps.Begin(this->Renderer);
   this->Fits.Begin(this->Renderer);
+  vtkSoftShadowEstimator::FitViews(this->MakeJob(set), services);
   this->Estimator.Estimate(this->MakeJob(set), services);
 }
 
@@ -158,6 +159,8 @@ std::vector<std::string> vtkSoftShadowVisibilities::Refine(Set& set)
   job.Tolerance = this->Given.Tolerance;
   const vtkShadowMapFitter fitter(this->Casters->GetBodies());
   vtkSoftShadowServices services = this->MakeServices(fitter, set);
+  // A light may have taken another's place that is equal to it: nothing changed, and nothing is fitted.
+  vtkSoftShadowEstimator::FitViews(this->MakeJob(set), services);
   this->Statistics.ProgressiveFrames += services.IsData ? 0 : 1;
   return set.Refinement.Refine(job, services);
 }

@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -186,6 +187,46 @@ TEST_P(MapMemory, ManyLightsShareOneBudget)
   EXPECT_GT(bytes[0], 8 * mebibyte) << "without a limit it is more: the test can fail";
   EXPECT_LT(bytes[1], 8 * mebibyte) << "maps, and what else the pass holds";
   EXPECT_TRUE(Matches(pictures[0], pictures[1], SameToRounding));
+}
+
+//------------------------------------------------------------------------------
+TEST_P(MapMemory, ASmallerBudgetGivesMemoryBack)
+{
+  Chandelier chandelier(24);
+  const auto pass = this->MakePass();
+  Stage stage(chandelier.Scene.Renderer, pass, 80, 60);
+  const Picture before = stage.RenderVisibility(chandelier.Lamps[20]);
+  const vtkTypeInt64 bytes = pass->GetStatistics().BytesHeld;
+  pass->SetMapMemory(4);
+  EXPECT_TRUE(Matches(stage.RenderVisibility(chandelier.Lamps[20]), before, SameToRounding));
+  EXPECT_LT(pass->GetStatistics().BytesHeld, bytes);
+  EXPECT_LT(pass->GetStatistics().BytesHeld, 8 << 20);
+}
+
+//------------------------------------------------------------------------------
+// Nothing changes for the picture, and a running mean goes on.
+TEST_P(MapMemory, AnEqualLightTakesOver)
+{
+  Chandelier chandelier(1);
+  const auto pass = this->MakePass();
+  pass->ProgressiveOn();
+  Stage stage(chandelier.Scene.Renderer, pass, 80, 60);
+  stage.Render();
+  stage.Render();
+  const vtkSmartPointer<vtkAreaLight> first = chandelier.Lamps[0];
+  const auto second = vtkSmartPointer<vtkAreaLight>::New();
+  second->DeepCopy(first);
+  chandelier.Scene.Renderer->RemoveLight(first);
+  chandelier.Scene.Renderer->AddLight(second);
+  stage.Render();
+  EXPECT_GT(pass->GetStatistics().ProgressiveFrames, 1);
+  const Picture visibility = stage.RenderVisibility(second);
+  float least = 1.0f;
+  for (const float value : visibility.Values)
+  {
+    least = std::isnan(value) ? least : std::min(least, value);
+  }
+  EXPECT_LT(least, 0.5f) << "the ball has a shadow still";
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -278,6 +278,7 @@ ReferenceVisibility ReferenceTracer::Trace(const ReferenceSnapshot& snapshot) co
 
   std::atomic<int> next{ 0 };
   std::atomic<std::int64_t> rays{ 0 };
+  double told = 0.0;
   const auto work = [&](const std::function<void(double)>& progress)
   {
     Worker worker(scene, this->SamplesPerAxis, this->PilotSamplesPerAxis, this->Cancelled, images);
@@ -286,7 +287,8 @@ ReferenceVisibility ReferenceTracer::Trace(const ReferenceSnapshot& snapshot) co
       worker.TraceRow(row);
       if (progress)
       {
-        progress(std::min(1.0, static_cast<double>(next) / this->Height));
+        told = std::min(1.0, static_cast<double>(next) / this->Height);
+        progress(told);
       }
     }
     rays += worker.GetRays();
@@ -306,6 +308,11 @@ ReferenceVisibility ReferenceTracer::Trace(const ReferenceSnapshot& snapshot) co
   }
   images.ShadowRays = rays;
   images.Complete = !this->Cancelled || !*this->Cancelled;
+  // The last row may have been another thread's.
+  if (this->Progress && images.Complete && told < 1.0)
+  {
+    this->Progress(1.0);
+  }
   return images;
 }
 
