@@ -9,6 +9,7 @@
 #include "vtkShadowReceivers.h"
 #include "vtkShadowShader.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkShadowTextureUnit.h"
 #include "vtkSoftShadowServices.h"
 
 #include "vtkSampledSoftShadowFS.h"
@@ -90,15 +91,16 @@ void vtkSampledSoftShadowPass::Add(const vtkSoftShadowServices& services)
       services.SetReceiverUniforms(program);
       services.SetSampleUniforms(program, samples.Views.data() + i, samples.Weights.data() + i,
         std::min(MapsPerDraw, last - i), i - first, services.MapSize, this->FilterSize);
-      if (texture)
-      {
-        program->SetUniformi("depthMaps", texture->Activate());
-      }
+      // Without a map the sampler still needs a unit that no texture of another kind is bound to.
+      vtkShadowTextureUnit none;
+      program->SetUniformi(
+        "depthMaps", texture ? texture->Activate() : none.Reserve(services.Window));
       services.DrawMarked(this->Impl->Shader);
       if (texture)
       {
         texture->Deactivate();
       }
+      none.Release();
       services.Receivers->Deactivate();
     }
   }

@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
+#include "vtkShadowCasters.h"
 #include "vtkSoftShadowPass.h"
 
 #include <gtest/gtest.h>
@@ -143,6 +144,25 @@ TEST_P(Degenerate, HugeLight)
 {
   this->Scene.Lamp->SetSize(100.0, 100.0);
   this->Draw(this->Scene.Lamp);
+}
+
+//------------------------------------------------------------------------------
+// What casts stands behind the lamp, and the ground casts nothing: no map is drawn.
+TEST_P(Degenerate, NothingInFrontOfTheLamp)
+{
+  this->Scene.Lamp->SetPosition(0.0, 0.0, 0.4);
+  this->Scene.Lamp->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Scene.Lamp->SetSize(0.1, 0.1);
+  vtkShadowCasters::SetCastsShadow(this->Scene.Ground, false);
+  this->Scene.Ball->SetPosition(0.0, 0.0, 3.0);
+  const Picture visibility = this->Draw(this->Scene.Lamp);
+  int lit = 0;
+  for (const float v : visibility.Values)
+  {
+    lit += v == 1.0f ? 1 : 0;
+  }
+  EXPECT_GT(lit, 80 * 60 / 4);
+  EXPECT_EQ(CountShadowed(visibility), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
