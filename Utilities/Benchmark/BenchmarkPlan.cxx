@@ -41,6 +41,15 @@ public:
     }
   }
 
+  /// All that are there so far.
+  void MakeEssential()
+  {
+    for (ContestantChoice& choice : this->Choices)
+    {
+      choice.IsEssential = true;
+    }
+  }
+
   std::vector<ContestantChoice> Choices;
 
 private:
@@ -60,9 +69,20 @@ TechniqueOptions With(const KnownTechnique& technique, const TechniqueOptions& m
 }
 
 //--------------------------------------------------------------------------------------------------
+// Rays through the triangles need none.
+bool HasMaps(const KnownTechnique& technique)
+{
+  return !technique.Has("most_rays");
+}
+
+//--------------------------------------------------------------------------------------------------
 void AddFew(const KnownTechnique& technique, Plan& plan)
 {
-  TechniqueOptions options = With(technique, { { "map_size", "1024" } });
+  TechniqueOptions options = With(technique, {});
+  if (HasMaps(technique))
+  {
+    options["map_size"] = "1024";
+  }
   if (technique.Name == "sampled")
   {
     for (const char* samples : { "16", "1" })
@@ -116,12 +136,12 @@ void AddVariants(const KnownTechnique& technique, Plan& plan)
   {
     add({ { "rays", "16" }, { "steps", "8" } });
   }
-  if (technique.Has("most_rays"))
+  if (!HasMaps(technique))
   {
     add({ { "rays", "2" } });
     add({ { "rays", "16" }, { "most_rays", "64" } });
     add({ { "rays", "16" }, { "filter", "off" }, { "adaptive", "off" } });
-    return; // it has no maps to split
+    return;
   }
   if (technique.Has("split") && !technique.Has("samples"))
   {
@@ -139,6 +159,10 @@ void AddVariants(const KnownTechnique& technique, Plan& plan)
 //--------------------------------------------------------------------------------------------------
 void AddMapSizes(const KnownTechnique& technique, Plan& plan)
 {
+  if (IsRival(technique) || !HasMaps(technique))
+  {
+    return;
+  }
   for (const char* size : MapSizes)
   {
     TechniqueOptions options{ { "map_size", size } };
@@ -146,10 +170,7 @@ void AddMapSizes(const KnownTechnique& technique, Plan& plan)
     {
       options["samples"] = "16";
     }
-    if (!IsRival(technique))
-    {
-      plan.Add(technique.Name, With(technique, options));
-    }
+    plan.Add(technique.Name, With(technique, options));
   }
 }
 
@@ -215,18 +236,31 @@ std::vector<ContestantChoice> PlanContestants(
   {
     size == PlanSize::Few ? AddFew(technique, plan) : AddDefault(technique, plan);
   }
+  if (size == PlanSize::Defaults)
+  {
+    plan.MakeEssential();
+    return plan.Choices;
+  }
   plan.Add("rays", { { "samples", "16" } });
   if (size == PlanSize::Few)
   {
     return plan.Choices;
   }
+  plan.MakeEssential();
   for (const char* samples : Samples)
   {
     plan.Add("rays", { { "samples", samples } });
   }
-  for (const KnownTechnique& technique : techniques)
+  // First what needs no maps: rays, the peers of those above.
+  for (const bool hasMaps : { false, true })
   {
-    AddVariants(technique, plan);
+    for (const KnownTechnique& technique : techniques)
+    {
+      if (HasMaps(technique) == hasMaps)
+      {
+        AddVariants(technique, plan);
+      }
+    }
   }
   for (const KnownTechnique& technique : techniques)
   {

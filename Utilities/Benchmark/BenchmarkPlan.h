@@ -25,14 +25,16 @@ struct KnownTechnique
 /// How many settings of each technique are wanted.
 enum class PlanSize
 {
-  Few,  ///< One, with a map of 1024; hard maps with 1 and 16 samples.
-  Main, ///< Defaults, a light split in two by two, pairs of kernel widths, numbers of samples.
-  All   ///< Those, and every map size.
+  Defaults, ///< Defaults, and hard maps; no rays.
+  Few,      ///< One, with a map of 1024; hard maps with 1 and 16 samples.
+  Main,     ///< Defaults, a light split in two by two, pairs of kernel widths, numbers of samples.
+  All       ///< Those, and every map size.
 };
 
 /**
  * The peers (plain, vtk, rays) and every technique, each with the settings that it has options for.
- * Uniform weights. Those that tell most come first: what no time is left for is left out.
+ * Uniform weights. Those that tell most come first: what no time is left for is left out, but for
+ * defaults, which are essential.
  */
 std::vector<ContestantChoice> PlanContestants(
   const std::vector<KnownTechnique>& techniques, PlanSize size);

@@ -40,6 +40,8 @@ struct ContestantChoice
 {
   std::string Technique;
   TechniqueOptions Options;
+  /// It is measured even where the time of a scene is used up.
+  bool IsEssential = false;
 
   /// "pcss filter_width=21 search_width=11"
   std::string GetName() const;

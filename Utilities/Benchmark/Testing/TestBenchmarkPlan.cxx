@@ -14,7 +14,8 @@ namespace
 
 const std::vector<KnownTechnique> Known = { { "sampled", { "map_size", "samples", "weights" } },
   { "pcss", { "map_size", "search_width", "filter_width", "weights", "split" } },
-  { "ssabss", { "map_size", "search_width", "filter_width", "split" } } };
+  { "ssabss", { "map_size", "search_width", "filter_width", "split" } },
+  { "traced", { "map_size", "rays", "most_rays", "filter", "adaptive", "split" } } };
 
 //--------------------------------------------------------------------------------------------------
 std::set<std::string> Names(PlanSize size)
@@ -52,7 +53,20 @@ TEST(BenchmarkPlan, HasPeersAndEveryTechniqueWithEachSetting)
   {
     EXPECT_EQ(all.count(name), 1U) << name;
   }
+  EXPECT_EQ(all.count("traced adaptive=off filter=off rays=16"), 1U);
+  EXPECT_EQ(all.count("traced map_size=4096"), 0U) << "rays need no map";
+  EXPECT_EQ(all.count("traced split=2"), 0U) << "rays need no map";
+  const std::set<std::string> defaults = Names(PlanSize::Defaults);
+  EXPECT_EQ(defaults,
+    (std::set<std::string>{ "plain", "vtk map_size=1024",
+      "sampled map_size=1024 samples=16 weights=mean",
+      "sampled map_size=1024 samples=1 weights=mean", "pcss weights=mean", "ssabss", "traced" }));
   const std::vector<ContestantChoice> choices = PlanContestants(Known, PlanSize::All);
+  for (const ContestantChoice& choice : choices)
+  {
+    const std::string name = choice.GetName();
+    EXPECT_EQ(choice.IsEssential, defaults.count(name) == 1 || name == "rays samples=16") << name;
+  }
   EXPECT_EQ(SelectTechniques(choices, { "plain" }).size(), 1U);
   EXPECT_THROW(SelectTechniques(choices, { "nonsense" }), std::runtime_error);
 }
@@ -69,7 +83,8 @@ TEST(BenchmarkPlan, SizesContainEachOtherButForFewSettings)
   EXPECT_LT(main.size(), all.size());
   const std::set<std::string> few = Names(PlanSize::Few);
   // plain, vtk, rays; sampled twice, the others once
-  EXPECT_EQ(few.size(), 7U);
+  EXPECT_EQ(few.size(), 8U);
+  EXPECT_EQ(few.count("traced"), 1U) << "rays need no map";
   EXPECT_EQ(few.count("sampled map_size=1024 samples=1 weights=mean"), 1U);
 }
 
@@ -78,14 +93,14 @@ TEST(BenchmarkPlan, EveryTechniquesDefaultComesBeforeAnyOtherSetting)
 {
   const std::vector<ContestantChoice> choices = PlanContestants(Known, PlanSize::All);
   std::vector<std::string> names;
-  for (size_t i = 0; i < 7; ++i)
+  for (size_t i = 0; i < 8; ++i)
   {
     names.push_back(choices[i].GetName());
   }
   EXPECT_EQ(names,
     (std::vector<std::string>{ "plain", "vtk map_size=1024",
       "sampled map_size=1024 samples=16 weights=mean",
-      "sampled map_size=1024 samples=1 weights=mean", "pcss weights=mean", "ssabss",
+      "sampled map_size=1024 samples=1 weights=mean", "pcss weights=mean", "ssabss", "traced",
       "rays samples=16" }));
 }
 
