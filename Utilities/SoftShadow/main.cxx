@@ -32,11 +32,14 @@ namespace
 int Run(int argc, char** argv)
 {
   CLI::App app("Soft shadows of area lights.", "softshadow");
+  bool asJson = false; // read before the next, wherever it stands
+  app.add_flag("--json", asJson, "With --list-techniques: for programs");
   app.add_flag_callback(
     "--list-techniques",
-    []
+    [&asJson]
     {
-      softshadows::PrintTechniques(std::cout);
+      asJson ? softshadows::PrintTechniquesAsJson(std::cout)
+             : softshadows::PrintTechniques(std::cout);
       throw CLI::Success();
     },
     "Print the techniques and their options, and end");

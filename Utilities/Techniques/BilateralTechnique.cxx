@@ -15,6 +15,7 @@ Technique MakeBilateralTechnique()
   vtkBilateralSoftShadowPass* pass = owner;
   Technique technique = MakeTechnique("sbfs",
     "soft bilateral filtering shadows: few points of the light, filtered on the screen", pass);
+  technique.Papers = { "Ali, Kolivand, Sunar 2016" };
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
     pass, NumberOfSamples, "samples", "points of the light, a depth map each"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(

@@ -19,30 +19,36 @@ void AddCascadeOptions(Technique& technique, int cascade)
 {
   using Pass = vtkCascadedSoftShadowPass;
   const std::string number = std::to_string(cascade);
-  technique.Options.push_back(WithRange(
-    MakeOption<Pass>(
-      TechniqueOption::Kind::Integer, "edge_" + number,
-      "points of the light along an edge in cascade " + number + ", 0 the nearest",
-      [cascade](Pass* pass, double value)
-      { pass->SetSampleEdge(cascade, static_cast<int>(value)); },
-      [cascade](Pass* pass) { return static_cast<double>(pass->GetSampleEdge(cascade)); }),
-    1, 32));
-  technique.Options.push_back(WithChoices(
-    MakeOption<Pass>(
-      TechniqueOption::Kind::Choice, "resolution_" + number,
-      "of the maps of cascade " + number + ": all, a half or a quarter of map_size",
-      [cascade](Pass* pass, double value)
-      { pass->SetResolution(cascade, static_cast<int>(value)); },
-      [cascade](Pass* pass) { return static_cast<double>(pass->GetResolution(cascade)); }),
-    { "high", "medium", "low" }));
-  technique.Options.push_back(WithRange(
-    MakeOption<Pass>(
-      TechniqueOption::Kind::Integer, "filter_" + number,
-      "texels along an edge of filter=fixed over the maps of cascade " + number + "; 1 is none",
-      [cascade](Pass* pass, double value)
-      { pass->SetFilterSize(cascade, static_cast<int>(value)); },
-      [cascade](Pass* pass) { return static_cast<double>(pass->GetFilterSize(cascade)); }),
-    1, 15));
+  technique.Options.push_back(WithIndex(
+    WithRange(
+      MakeOption<Pass>(
+        TechniqueOption::Kind::Integer, "SampleEdge", "edge_" + number,
+        "points of the light along an edge in cascade " + number + ", 0 the nearest",
+        [cascade](Pass* pass, double value)
+        { pass->SetSampleEdge(cascade, static_cast<int>(value)); },
+        [cascade](Pass* pass) { return static_cast<double>(pass->GetSampleEdge(cascade)); }),
+      1, 32),
+    cascade));
+  technique.Options.push_back(WithIndex(
+    WithChoices(
+      MakeOption<Pass>(
+        TechniqueOption::Kind::Choice, "Resolution", "resolution_" + number,
+        "of the maps of cascade " + number + ": all, a half or a quarter of map_size",
+        [cascade](Pass* pass, double value)
+        { pass->SetResolution(cascade, static_cast<int>(value)); },
+        [cascade](Pass* pass) { return static_cast<double>(pass->GetResolution(cascade)); }),
+      { "high", "medium", "low" }),
+    cascade));
+  technique.Options.push_back(WithIndex(
+    WithRange(
+      MakeOption<Pass>(
+        TechniqueOption::Kind::Integer, "FilterSize", "filter_" + number,
+        "texels along an edge of filter=fixed over the maps of cascade " + number + "; 1 is none",
+        [cascade](Pass* pass, double value)
+        { pass->SetFilterSize(cascade, static_cast<int>(value)); },
+        [cascade](Pass* pass) { return static_cast<double>(pass->GetFilterSize(cascade)); }),
+      1, 15),
+    cascade));
 }
 
 void AddRefinementOptions(Technique& technique, vtkCascadedSoftShadowPass* pass)
@@ -63,6 +69,7 @@ Technique MakeCascadedTechnique()
   vtkCascadedSoftShadowPass* pass = owner;
   Technique technique = MakeTechnique("cascaded",
     "the mean of hard shadows from points of the light, fewer where the view is far", pass);
+  technique.Papers = { "Zerari et al. 2023" };
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
     pass, NumberOfCascades, "cascades", "parts of the view by depth, with maps of their own"));
   technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(pass, SplitLambda, "lambda",
@@ -100,6 +107,7 @@ Technique MakeAdaptiveSampledTechnique()
   vtkAdaptiveSampledSoftShadowPass* pass = owner;
   Technique technique = MakeTechnique(
     "fassalss", "hard shadows from as many points of the light as each pixel needs", pass);
+  technique.Papers = { "Schwarzler et al. 2012" };
   AddRefinementOptions(technique, pass);
   technique.Draft.Options = { { "level", "1" }, { "map_size", "512" } };
   technique.Best.Options = { { "tolerance", "0.03" }, { "map_size", "2048" } };

@@ -15,6 +15,7 @@ Technique MakePercentageCloserTechnique()
   vtkPercentageCloserSoftShadowPass* pass = owner;
   Technique technique = MakeTechnique(
     "pcss", "percentage-closer soft shadows: one depth map, a filter per pixel", pass);
+  technique.Papers = { "Fernando 2005" };
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
     pass, SearchWidth, "search_width", "taps along an edge of the search for blockers"));
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(

@@ -33,6 +33,7 @@ Technique MakeSeparableTechnique()
   vtkSeparableSoftShadowPass* pass = owner;
   Technique technique = MakeTechnique(
     "sssm", "separable soft shadow mapping: pcss whose rows of taps serve many pixels", pass);
+  technique.Papers = { "Buades et al. 2015" };
   AddKernelOptions(technique, pass);
   technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
     pass, Alpha, "alpha", "how far off the plane a row of the search may be; 0 reuses none"));
@@ -64,6 +65,7 @@ Technique MakeScreenSpaceTechnique()
   vtkScreenSpaceSoftShadowPass* pass = owner;
   Technique technique =
     MakeTechnique("ssabss", "the hard shadow, blurred on the screen by a bilateral filter", pass);
+  technique.Papers = { "Zheng, Saito 2011", "MohammadBagher et al. 2010" };
   AddKernelOptions(technique, pass);
   technique.Options.push_back(SOFTSHADOWS_NUMBER_OPTION(
     pass, Beta, "beta", "distance to the plane that taps fade over, in view distances"));

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,10 @@ struct TechniqueOption
   std::string Name;
   Kind Is = Kind::Integer;
   std::string Meaning; ///< A line for the user, with units.
-  double Least = 0.0;  ///< Of integers and numbers.
+  /// What the pass's Set and Get are followed by, and their first argument if there is one.
+  std::string Property;
+  std::optional<int> Index;
+  double Least = 0.0; ///< Of integers and numbers.
   double Most = 0.0;
   std::vector<std::string> Choices; ///< Of flags and choices, in the order of their values.
   ///@{
@@ -79,6 +83,8 @@ struct Technique
 {
   std::string Name;
   std::string Meaning; ///< A line for the user.
+  /// Where it was published: authors and year. Empty: here, or in any book.
+  std::vector<std::string> Papers;
   std::function<vtkSmartPointer<vtkSoftShadowPass>()> Create;
   std::vector<TechniqueOption> Options;
   ///@{
@@ -123,6 +129,14 @@ std::string SpellOptions(const OptionTexts& options);
 
 /// One line per technique that starts with its name, its options and qualities below, indented.
 void PrintTechniques(std::ostream& os);
+
+/**
+ * The same and more as one JSON object, for programs. "techniques" is a list of name, class, meaning,
+ * papers, options and qualities; an option has name, property (of the class; with an index, its first
+ * argument), kind (integer, number, flag, choice), default, meaning, and least and most or choices. "qualities" are
+ * names and largest errors.
+ */
+void PrintTechniquesAsJson(std::ostream& os);
 
 }
 

@@ -39,13 +39,14 @@ Technique MakeTechnique(const std::string& name, const std::string& meaning, Pas
 
 /// An option that sets and gets through functions of the pass's own class.
 template <typename Pass, typename Setter, typename Getter>
-TechniqueOption MakeOption(TechniqueOption::Kind kind, const std::string& name,
-  const std::string& meaning, const Setter& set, const Getter& get)
+TechniqueOption MakeOption(TechniqueOption::Kind kind, const std::string& property,
+  const std::string& name, const std::string& meaning, const Setter& set, const Getter& get)
 {
   TechniqueOption option;
   option.Is = kind;
   option.Name = name;
   option.Meaning = meaning;
+  option.Property = property;
   option.Set = [set](vtkSoftShadowPass* pass, double value)
   { set(static_cast<Pass*>(pass), value); };
   option.Get = [get](vtkSoftShadowPass* pass) { return get(static_cast<Pass*>(pass)); };
@@ -63,6 +64,13 @@ inline TechniqueOption WithRange(TechniqueOption option, double least, double mo
   return option;
 }
 
+/// Of a property whose Set and Get have a first argument.
+inline TechniqueOption WithIndex(TechniqueOption option, int index)
+{
+  option.Index = index;
+  return option;
+}
+
 inline TechniqueOption WithChoices(TechniqueOption option, const std::vector<std::string>& choices)
 {
   option.Choices = choices;
@@ -74,7 +82,7 @@ inline TechniqueOption WithChoices(TechniqueOption option, const std::vector<std
 /// Property: what Set and Get are followed by.
 #define SOFTSHADOWS_OPTION(kind, pass, Property, name, meaning)                                    \
   softshadows::MakeOption<std::remove_pointer_t<decltype(pass)>>(                                  \
-    softshadows::TechniqueOption::Kind::kind, name, meaning,                                       \
+    softshadows::TechniqueOption::Kind::kind, #Property, name, meaning,                            \
     [](decltype(pass) target, double value)                                                        \
     { target->Set##Property(static_cast<decltype(target->Get##Property())>(value)); },             \
     [](decltype(pass) target) { return static_cast<double>(target->Get##Property()); })

@@ -15,6 +15,7 @@ Technique MakeVirtualTechnique()
   vtkVirtualSoftShadowPass* pass = owner;
   Technique technique = MakeTechnique(
     "pvssm", "predicted virtual soft shadow maps: tiles as fine as each penumbra needs", pass);
+  technique.Papers = { "Shen et al. 2011" };
   technique.Options.push_back(SOFTSHADOWS_FLAG_OPTION(
     pass, Adaptive, "adaptive", "tiles of predicted resolution, or a single map of map_size"));
   technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(

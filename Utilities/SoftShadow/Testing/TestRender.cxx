@@ -172,6 +172,12 @@ TEST_F(Render, RendersWithEveryTechniqueThatIsListed)
     EXPECT_NEAR(image.Visibility[0][PixelAt(1.5, -0.5)], 1.0f, 0.02f) << name;
   }
   EXPECT_GE(techniques, 2);
+  for (const std::string arguments : { "--list-techniques --json", "--json --list-techniques" })
+  {
+    const ToolResult json = this->Run(arguments);
+    EXPECT_EQ(json.ExitCode, 0) << json.Output;
+    EXPECT_EQ(json.Output.rfind("{\n  \"techniques\": [", 0), 0u) << arguments << json.Output;
+  }
 }
 
 TEST_F(Render, RendersModelsOfEveryKind)

@@ -5,6 +5,7 @@
 #include "Technique.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <functional>
 #include <set>
@@ -175,4 +176,34 @@ TEST(Techniques, ArePrintedWithTheirNamesFirst)
   }
   EXPECT_EQ(techniques, GetTechniques().size());
   EXPECT_NE(text.str().find("map_size=2048  (a whole number from 32 to 16384)"), std::string::npos);
+}
+
+TEST(Techniques, JsonHoldsWhatTheTableHolds)
+{
+  std::ostringstream text;
+  PrintTechniquesAsJson(text);
+  const nlohmann::json json = nlohmann::json::parse(text.str());
+  ASSERT_EQ(json["techniques"].size(), GetTechniques().size());
+  for (std::size_t i = 0; i < GetTechniques().size(); ++i)
+  {
+    const Technique& technique = GetTechniques()[i];
+    const nlohmann::json& entry = json["techniques"][i];
+    EXPECT_EQ(entry["name"], technique.Name);
+    EXPECT_EQ(entry["class"], technique.Create()->GetClassName());
+    ASSERT_EQ(entry["options"].size(), technique.Options.size());
+    for (std::size_t j = 0; j < technique.Options.size(); ++j)
+    {
+      const TechniqueOption& option = technique.Options[j];
+      const nlohmann::json& known = entry["options"][j];
+      EXPECT_EQ(known["name"], option.Name);
+      EXPECT_NE(known["property"], "") << option.Name;
+      // A program that has only this can read and set every option.
+      const nlohmann::json& value = known["default"];
+      const std::string spelled = value.is_string() ? value.get<std::string>() : value.dump();
+      EXPECT_EQ(option.Parse(spelled), option.Get(technique.Create())) << option.Name;
+      EXPECT_EQ(known.contains("choices"), !option.Choices.empty()) << option.Name;
+    }
+    EXPECT_EQ(entry["qualities"]["best"].is_null(), !technique.Best.Exists());
+  }
+  EXPECT_EQ(json["qualities"][1]["name"], "good");
 }
