@@ -7,6 +7,34 @@
 
 namespace softshadows
 {
+namespace
+{
+
+struct Range
+{
+  double Least;
+  double Greatest;
+};
+
+//--------------------------------------------------------------------------------------------------
+// Of the 3 x 3 values around a pixel that are numbers.
+Range RangeAround(int width, int height, const std::vector<float>& truth, int x, int y)
+{
+  const double own = truth[static_cast<size_t>(y) * width + x];
+  Range range{ own, own };
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j)
+  {
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i)
+    {
+      const double other = truth[static_cast<size_t>(j) * width + i];
+      range.Least = other < range.Least ? other : range.Least; // not NaN
+      range.Greatest = other > range.Greatest ? other : range.Greatest;
+    }
+  }
+  return range;
+}
+
+}
 
 //--------------------------------------------------------------------------------------------------
 std::vector<unsigned char> FindShiftedEdges(int width, int height, const std::vector<float>& truth,
@@ -19,25 +47,31 @@ std::vector<unsigned char> FindShiftedEdges(int width, int height, const std::ve
     {
       const size_t pixel = static_cast<size_t>(y) * width + x;
       const double value = estimate[pixel];
-      if (!(std::abs(value - truth[pixel]) > tolerance))
+      if (std::abs(value - truth[pixel]) > tolerance)
       {
-        continue;
+        const Range range = RangeAround(width, height, truth, x, y);
+        const bool isBeside =
+          value >= range.Least - tolerance && value <= range.Greatest + tolerance;
+        found[pixel] = isBeside ? 1 : 0;
       }
-      double least = truth[pixel];
-      double greatest = truth[pixel];
-      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j)
-      {
-        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i)
-        {
-          const double other = truth[static_cast<size_t>(j) * width + i];
-          least = other < least ? other : least; // not NaN
-          greatest = other > greatest ? other : greatest;
-        }
-      }
-      found[pixel] = value >= least - tolerance && value <= greatest + tolerance ? 1 : 0;
     }
   }
   return found;
+}
+
+//--------------------------------------------------------------------------------------------------
+int CountEdges(int width, int height, const std::vector<float>& truth, double tolerance)
+{
+  int count = 0;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const Range range = RangeAround(width, height, truth, x, y);
+      count += range.Greatest - range.Least > tolerance ? 1 : 0;
+    }
+  }
+  return count;
 }
 
 }

@@ -29,6 +29,11 @@ constexpr double DriverTolerance = 0.02;
 std::vector<unsigned char> FindShiftedEdges(int width, int height, const std::vector<float>& truth,
   const std::vector<float>& estimate, double tolerance = DriverTolerance);
 
+/// How many pixels could be found: those around which the truth's 3 x 3 values differ by more than the
+/// tolerance.
+int CountEdges(
+  int width, int height, const std::vector<float>& truth, double tolerance = DriverTolerance);
+
 }
 
 #endif

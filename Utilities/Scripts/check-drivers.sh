@@ -11,14 +11,15 @@
 # Environment: SCENES (names of the benchmark's, or files), TECHNIQUES (with blanks between), WIDTH, HEIGHT.
 # Prints a table and fails if any RMSE is above 0.003, or any pixel is off by more than 0.25. Left out are
 # silhouettes, and pixels whose centres lie on an edge, of two triangles or of a hard shadow: there drivers
-# may see either side. More than one in 1000 of the latter is a failure too.
+# may see either side. They place corners on a grid of 1/256 pixel, so an edge lies between two drivers' for
+# one in 128 of the pixels beside edges: more than that is a failure too.
 # With a test program beside the tool, the closed forms are tried under every driver too.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 1
 . Utilities/Scripts/driver-settings.sh
 largest_rmse=0.003
 largest_error=0.25
-largest_share=0.001
+largest_share=0.0078
 
 build=build/test
 tool=
@@ -81,16 +82,16 @@ render() {
         { grep '"driver"' "$work/frame.json" >"$work/log"; return 1; }
 }
 
-# Of all lights in a report: the largest RMSE and the largest error, the share of pixels at edges, and how
-# many have a value under one driver alone.
+# Of all lights in a report: the largest RMSE and the largest error, the share of the pixels beside edges
+# that lie on their other side, and how many pixels have a value under one driver alone.
 measure() {
     awk '{ value = $2; sub(/,/, "", value); if (value == "null") { value = 9 } value += 0 }
         /"all"/ { inside = 1 } /}/ { inside = 0 }
         inside && /"(rmse|maximum)"/ && value > most[$1] { most[$1] = value }
-        inside && /"pixels"/ { pixels += value }
-        /"shifted_edges"/ { edges += value }
+        /"shifted_edges"/ { shifted += value }
+        /"edges"/ { edges += value }
         /"only_in_/ { alone += value }
-        END { print most["\"rmse\":"] + 0, most["\"maximum\":"] + 0, edges / (pixels + edges + 1e-9), alone + 0 }' "$1"
+        END { print most["\"rmse\":"] + 0, most["\"maximum\":"] + 0, shifted / (edges + 1e-9), alone + 0 }' "$1"
 }
 
 failed=0
@@ -135,7 +136,7 @@ if [ $small = 0 ] && [ -x "$tests" ]; then
     for driver in "${drivers[@]}"; do
         compared=$((compared + 1))
         if with_driver "$driver" "$tests" --gtest_filter='*ClosedForm*' --gtest_brief=1 >"$work/log" 2>&1; then
-            printf '%-14s closed forms: %s\n' "$driver" "$(grep -oE '[0-9]+ tests? ran' "$work/log" | tail -n 1)"
+            printf '%-14s closed forms: %s\n' "$driver" "$(grep -oE '[0-9]+ tests? from .* ran' "$work/log" | tail -n 1)"
         else
             printf '%-14s closed forms FAILED\n' "$driver"
             grep -E 'FAILED|Failure|expected|worst' "$work/log" | head -n 40

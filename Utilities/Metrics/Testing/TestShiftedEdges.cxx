@@ -6,6 +6,7 @@
 
 #include <limits>
 
+using softshadows::CountEdges;
 using softshadows::FindShiftedEdges;
 
 namespace
@@ -46,6 +47,13 @@ TEST(ShiftedEdges, AreFoundOnePixelFar)
     EXPECT_EQ(near[i], i % Width == 3 ? 1 : 0) << i;
     EXPECT_EQ(far[i], i % Width == 3 ? 1 : 0) << i << ": the second column is no edge's";
   }
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(ShiftedEdges, AreCountedOnBothSides)
+{
+  EXPECT_EQ(CountEdges(Width, Height, MakeEdge(3)), 2 * Height);
+  EXPECT_EQ(CountEdges(Width, Height, MakeEdge(0)), 0);
 }
 
 //--------------------------------------------------------------------------------------------------
