@@ -5,6 +5,7 @@
 #include "ImageComparison.h"
 #include "Props.h"
 #include "Stage.h"
+#include "StoredPicture.h"
 #include "Techniques.h"
 #include "Varieties.h"
 

@@ -5,6 +5,7 @@
 #include "GLStateSnapshot.h"
 #include "ImageComparison.h"
 #include "OffscreenWindow.h"
+#include "StoredPicture.h"
 #include "WorldPositions.h"
 
 #include "vtkActor.h"

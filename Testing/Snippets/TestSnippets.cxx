@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lines of the first page, copied into a program: they give a soft shadow in a scene that is lit.
 #include "OffscreenWindow.h"
+#include "StoredPicture.h"
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"

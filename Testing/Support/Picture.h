@@ -9,7 +9,6 @@
 #define SoftShadowsTesting_Picture_h
 
 #include <cstddef> // For size_t
-#include <string>  // For paths
 #include <vector>  // For pixels
 
 class vtkImageData;
@@ -43,12 +42,6 @@ private:
 
 /// An image of unsigned char (scaled to [0, 1]) or float (as it is). Others throw.
 Picture PictureOf(vtkImageData* image);
-
-/// Reads what OpenImageIO can read; throws std::runtime_error with the path and the reason.
-Picture ReadPicture(const std::string& path);
-
-/// Writes 8-bit PNG or 32-bit float EXR, by the name's ending. Makes the folder if need be.
-void WritePicture(const std::string& path, const Picture& picture);
 
 }
 

@@ -106,8 +106,8 @@ void BenchmarkRunner::Report(const std::string& line, bool isFinal) const
 VisibilityImage BenchmarkRunner::GetReference(
   vtkRenderer* renderer, const BenchmarkScene& scene, int samplesPerAxis, bool gaussian) const
 {
-  ReferenceCache cache(this->Settings.CacheFolder);
-  return cache.Get(renderer, scene.Width, scene.Height, samplesPerAxis, gaussian,
+  return this->FindReference(renderer,
+    { scene.Name, scene.Width, scene.Height, samplesPerAxis, gaussian },
     [&](double share)
     {
       const std::string percent = std::to_string(std::lround(100.0 * share));
@@ -221,7 +221,7 @@ SceneResult BenchmarkRunner::Run(
     this->Report(scene.Name + ": judging " + choices[i].GetName() + " (" + std::to_string(i + 1) +
         " of " + std::to_string(choices.size()) + ")",
       false);
-    if (limit > 0.0 && secondsUsed() > limit)
+    if (limit > 0.0 && secondsUsed() > limit && !choices[i].IsEssential)
     {
       trial.LeaveOut(choices[i], "left out: the scene's time was used up");
       continue;

@@ -13,8 +13,7 @@
 #define SoftShadowsBenchmark_BenchmarkRunner_h
 
 #include "Contestant.h"
-#include "ReferenceCache.h"
-#include "VisibilityFile.h"
+#include "ReferenceSource.h"
 
 #include <functional> // For the progress callback
 #include <string>     // For names
@@ -30,7 +29,7 @@ struct BenchmarkSettings
   double SecondsPerContestant = 20.0;
   /**
    * Time for a scene without its reference, in seconds; 0: as long as it takes. Contestants whose turn
-   * comes after JudgingShare of it are left out; rounds after the third end with it, all rounds with
+   * comes after JudgingShare of it are left out unless they are essential; rounds after the third end with it, all rounds with
    * one and a half of it. A frame may take a fifteenth of it.
    */
   double SecondsPerScene = 0.0;
@@ -46,8 +45,6 @@ struct BenchmarkSettings
   /// The truth's lights are weighted by N(0, 0.5) over their windows.
   bool Gaussian = false;
   int ReferenceSamplesPerAxis = 48;
-  /// Where references are kept; empty: nowhere.
-  std::string CacheFolder;
   /// Whether lit pictures are compared with the picture of the truth.
   bool JudgesPictures = true;
   /// Pictures of the first contestant of every technique.
@@ -86,9 +83,11 @@ class BenchmarkRunner
 public:
   using ProgressFunction = std::function<void(const std::string& line, bool isFinal)>;
 
-  BenchmarkRunner(BenchmarkSettings settings, TechniqueFactory makeTechnique)
+  BenchmarkRunner(
+    BenchmarkSettings settings, TechniqueFactory makeTechnique, ReferenceSource findReference)
     : Settings(std::move(settings))
     , MakeTechnique(std::move(makeTechnique))
+    , FindReference(std::move(findReference))
   {
   }
 
@@ -110,6 +109,7 @@ public:
 private:
   BenchmarkSettings Settings;
   TechniqueFactory MakeTechnique;
+  ReferenceSource FindReference;
   ProgressFunction Progress;
 
   void Report(const std::string& line, bool isFinal) const;

@@ -3,7 +3,6 @@
 #include "ReferenceCache.h"
 
 #include "ReferenceHash.h"
-#include "ReferenceTracer.h"
 
 #include <filesystem> // For the folder
 #include <stdexcept>  // For damaged files
@@ -33,40 +32,48 @@ bool Read(const std::string& path, int width, int height, VisibilityImage& image
   return image.Width == width && image.Height == height && !image.Depth.empty();
 }
 
+//--------------------------------------------------------------------------------------------------
+std::string NameFile(
+  const std::string& folder, vtkRenderer* renderer, const ReferenceRequest& request)
+{
+  const std::string name = HashScene(renderer) + "-" + std::to_string(request.Width) + "x" +
+    std::to_string(request.Height) + "-" + std::to_string(request.SamplesPerAxis) +
+    (request.Gaussian ? "-gaussian" : "") + ".exr";
+  return (std::filesystem::path(folder) / name).string();
 }
 
 //--------------------------------------------------------------------------------------------------
-VisibilityImage ReferenceCache::Get(vtkRenderer* renderer, int width, int height,
-  int samplesPerAxis, bool gaussian, const std::function<void(double)>& progress)
+// Under another name first: a run that is stopped leaves no half of a reference, and two runs at
+// once do not write into one file.
+void Keep(const std::string& path, const VisibilityImage& image)
 {
-  VisibilityImage image;
-  std::string path;
-  if (!this->Folder.empty())
+  std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+  const std::string unfinished = path + "." + std::to_string(getpid()) + ".part.exr";
+  WriteVisibility(unfinished, image);
+  std::filesystem::rename(unfinished, path);
+}
+
+}
+
+//--------------------------------------------------------------------------------------------------
+ReferenceSource CacheReferences(const std::string& folder)
+{
+  return [folder](vtkRenderer* renderer, const ReferenceRequest& request,
+           const std::function<void(double)>& progress)
   {
-    path = (std::filesystem::path(this->Folder) /
-      (HashScene(renderer) + "-" + std::to_string(width) + "x" + std::to_string(height) + "-" +
-        std::to_string(samplesPerAxis) + (gaussian ? "-gaussian" : "") + ".exr"))
-             .string();
-    if (Read(path, width, height, image))
+    const std::string path = folder.empty() ? std::string() : NameFile(folder, renderer, request);
+    VisibilityImage image;
+    if (!path.empty() && Read(path, request.Width, request.Height, image))
     {
       return image;
     }
-  }
-  ReferenceTracer tracer(width, height, samplesPerAxis);
-  tracer.SetGaussian(gaussian);
-  tracer.SetProgress(progress);
-  ReferenceVisibility traced = tracer.Trace(renderer);
-  image = { width, height, std::move(traced.Visibility), std::move(traced.Depth) };
-  if (!path.empty())
-  {
-    // Under another name first: a run that is stopped leaves no half of a reference, and two runs at
-    // once do not write into one file.
-    std::filesystem::create_directories(this->Folder);
-    const std::string unfinished = path + "." + std::to_string(getpid()) + ".part.exr";
-    WriteVisibility(unfinished, image);
-    std::filesystem::rename(unfinished, path);
-  }
-  return image;
+    image = TraceReference(renderer, request, progress);
+    if (!path.empty())
+    {
+      Keep(path, image);
+    }
+    return image;
+  };
 }
 
 }

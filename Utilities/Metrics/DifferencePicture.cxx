@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DifferencePicture.h"
 
-#include "ImageFile.h"
-
 #include <vtkColorTransferFunction.h>
 #include <vtkNew.h>
 
@@ -37,14 +35,6 @@ std::vector<unsigned char> DrawDifference(
     }
   }
   return rgb;
-}
-
-//--------------------------------------------------------------------------------------------------
-void WritePicture(
-  const std::string& path, int width, int height, const std::vector<unsigned char>& rgb)
-{
-  const OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-  WriteImageFile(path, spec, OIIO::TypeDesc::UINT8, rgb.data());
 }
 
 }

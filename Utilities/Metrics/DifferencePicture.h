@@ -8,7 +8,6 @@
 #ifndef SoftShadowsMetrics_DifferencePicture_h
 #define SoftShadowsMetrics_DifferencePicture_h
 
-#include <string> // For the path
 #include <vector> // For images
 
 namespace softshadows
@@ -24,11 +23,6 @@ constexpr double DefaultDifferenceRange = 0.25;
  */
 std::vector<unsigned char> DrawDifference(const std::vector<float>& truth,
   const std::vector<float>& estimate, double range = DefaultDifferenceRange);
-
-/// Writes RGB bytes, top row first, in the format that the name's ending says. Throws
-/// std::runtime_error with the path and the reason.
-void WritePicture(
-  const std::string& path, int width, int height, const std::vector<unsigned char>& rgb);
 
 }
 

@@ -3,9 +3,10 @@
 # Documentation/SpeedAgainstError.md with its pictures, and the README's plot. Words outside the generated
 # blocks stay.
 #
-# Usage: publish-benchmark.sh [--references-only] [--document-only]
+# Usage: publish-benchmark.sh [--references-only | --document-only | --card FILE]
 #   --references-only  traces the references that the run reads, and ends; may be done long before
 #   --document-only    fills the document from the last run
+#   --card FILE        adds what a graphics card gave: results.json of gpu-bundle.sh's archive
 # Settings, from the environment:
 #   TOOL           the program (build/bin/softshadow)
 #   OUTPUT         where reports go (build/benchmark)
@@ -77,10 +78,17 @@ END
     return $result
 }
 
+fill_card() {
+    mkdir -p "$output"
+    python3 Utilities/Scripts/card-section.py "$1" > "$output/card.md" &&
+        python3 Utilities/Scripts/fill-document.py "$document" --block "card=$output/card.md"
+}
+
 main() {
     case "${1:-}" in
         --references-only) trace_references ;;
         --document-only) try "document" fill_document ;;
+        --card) try "document" fill_card "$2" ;;
         # The parts of a run, each a process that can be ended by itself.
         --scenes) scenes --budget "$budget" --rounds 7 --seconds 8; return $? ;;
         --paper) paper "$2" --budget "$3" --rounds 5 --seconds 30 > /dev/null; return $? ;;

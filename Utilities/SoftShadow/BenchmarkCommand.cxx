@@ -11,12 +11,13 @@
 #include "BenchmarkPlan.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkScenes.h"
+#include "BenchmarkTechniques.h"
 #include "HtmlReport.h"
 #include "MachineContext.h"
 #include "MarkdownReport.h"
 #include "PaperRun.h"
 #include "PngData.h"
-#include "Technique.h"
+#include "ReferenceCache.h"
 
 #include "vtkSoftShadowsVersion.h"
 
@@ -37,21 +38,6 @@ namespace softshadows
 {
 namespace
 {
-
-//--------------------------------------------------------------------------------------------------
-std::vector<KnownTechnique> ListTechniques()
-{
-  std::vector<KnownTechnique> known;
-  for (const Technique& technique : GetTechniques())
-  {
-    known.push_back({ technique.Name, {} });
-    for (const TechniqueOption& option : technique.Options)
-    {
-      known.back().Options.push_back(option.Name);
-    }
-  }
-  return known;
-}
 
 //--------------------------------------------------------------------------------------------------
 std::vector<ContestantChoice> GetChoices(const BenchmarkOptions& options, PlanSize size)
@@ -327,12 +313,9 @@ void RunBenchmark(const BenchmarkOptions& options)
 
   const VirtualDisplay display; // outlives all windows
   const BenchmarkContext context = DescribeMachine(SOFTSHADOWS_VERSION);
-  BenchmarkRunner runner(GetBenchmarkSettings(options),
-    [](const std::string& technique, const TechniqueOptions& passOptions)
-    {
-      return CreatePass(
-        FindTechnique(technique), OptionTexts(passOptions.begin(), passOptions.end()));
-    });
+  BenchmarkRunner runner(GetBenchmarkSettings(options), CreateContestantPass,
+    CacheReferences(
+      options.References.empty() ? options.Output + "/references" : options.References));
   runner.SetProgress(ShowLine);
   if (options.Paper.empty())
   {

@@ -104,8 +104,6 @@ BenchmarkSettings GetBenchmarkSettings(const BenchmarkOptions& options)
   const int samples =
     options.ReferenceSamples > 0 ? options.ReferenceSamples : (options.Quick ? 256 : 2304);
   settings.ReferenceSamplesPerAxis = static_cast<int>(std::ceil(std::sqrt(double(samples))));
-  settings.CacheFolder =
-    options.References.empty() ? options.Output + "/references" : options.References;
   settings.Pictures = !options.NoPictures;
   return settings;
 }

@@ -7,6 +7,7 @@
 
 #include "DifferencePicture.h"
 #include "ErrorReport.h"
+#include "PictureFile.h"
 #include "ShiftedEdges.h"
 #include "Silhouettes.h"
 #include "VisibilityFile.h"
@@ -141,6 +142,7 @@ void Compare(const CompareOptions& options)
     if (options.LeavesOutEdges)
     {
       entry["shifted_edges"] = edges;
+      entry["edges"] = CountEdges(reference.Width, reference.Height, truth);
       std::cout << "Left out at edges: " << edges << " pixels\n";
     }
     entry["light"] = light;
@@ -180,9 +182,9 @@ void AddCompareCommand(CLI::App& app)
     ->check(NumberAboveZero())
     ->capture_default_str();
   command->add_flag("--without-edges", options->LeavesOutEdges,
-    "Leave out pixels that lie on the other side of an edge alone: off by more than 0.02, with a "
-    "value "
-    "that the reference has beside them. Between two drivers, not between a technique and the "
+    "Leave out pixels that lie on the other side of an edge alone: off by more than 0.02, with "
+    "a value that the reference has beside them. Between two drivers, not between a technique and "
+    "the "
     "truth");
   command->add_option("--report", options->Report, "Write the numbers as JSON");
   command->callback([options] { Compare(*options); });

@@ -10,8 +10,8 @@
 #include "SceneInput.h"
 #include "VirtualDisplay.h"
 
-#include "DifferencePicture.h"
 #include "ModelStore.h"
+#include "PictureFile.h"
 #include "SceneBuilder.h"
 #include "VisibilityFile.h"
 

@@ -3,8 +3,8 @@
 
 #include "ViewerWindow.h"
 
-#include "DifferencePicture.h"
 #include "KeyBindings.h"
+#include "PictureFile.h"
 #include "ScopedFlag.h"
 #include "ViewerFiles.h"
 

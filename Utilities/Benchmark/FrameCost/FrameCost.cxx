@@ -7,20 +7,15 @@
  * milliseconds and their ratios to the plain frame as a Markdown table; for our passes also the sum of
  * the steps that timer queries measured.
  *
- * Usage: SoftShadowsFrameCost [--frames N] [--size WIDTH HEIGHT] [--techniques] [MODEL.ply]...
- * With --techniques every technique that draws with OpenGL alone takes part, at its defaults, and the
- * other races are left out.
+ * Usage: SoftShadowsFrameCost [--frames N] [--size WIDTH HEIGHT] [MODEL.ply]...
  */
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
 #include "vtkAutoInit.h"
-#include "vtkBilateralSoftShadowPass.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
-#include "vtkCascadedSoftShadowPass.h"
 #include "vtkLightsPass.h"
-#include "vtkMarchedSoftShadowPass.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -34,13 +29,10 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSampledSoftShadowPass.h"
-#include "vtkScreenSpaceSoftShadowPass.h"
-#include "vtkSeparableSoftShadowPass.h"
 #include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkSphereSource.h"
-#include "vtkVirtualSoftShadowPass.h"
 #ifdef SOFTSHADOWS_HAS_TRACED
 #include "vtkTracedSoftShadowPass.h"
 #endif
@@ -51,7 +43,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -248,13 +239,6 @@ void MoveCamera(Contestant& contestant)
 
 void MoveNothing(Contestant&) {}
 
-void MoveLight(Contestant& contestant)
-{
-  double position[3];
-  contestant.Light->GetPosition(position);
-  contestant.Light->SetPosition(position[0] + 0.01, position[1], position[2]);
-}
-
 void MoveActors(Contestant& contestant)
 {
   for (size_t i = 1; i < contestant.Actors.size(); ++i)
@@ -354,69 +338,6 @@ void RaceTraced(const std::string& title, const Scene& scene, int frames)
 
 #endif
 //--------------------------------------------------------------------------------------------------
-template <class PassType>
-void AddTechnique(
-  std::vector<std::pair<std::string, vtkSmartPointer<vtkSoftShadowPass>>>& techniques,
-  const char* name)
-{
-  techniques.emplace_back(name, vtkSmartPointer<PassType>::New());
-}
-
-//--------------------------------------------------------------------------------------------------
-// Every technique at its defaults, beside VTK's plain frame and its own shadows.
-void RaceTechniques(const std::string& title, const Scene& scene, int frames)
-{
-  std::vector<std::pair<std::string, vtkSmartPointer<vtkSoftShadowPass>>> techniques;
-  vtkNew<vtkSampledSoftShadowPass> hard;
-  hard->SetNumberOfSamples(1);
-  techniques.emplace_back("hard", hard.Get());
-  AddTechnique<vtkSampledSoftShadowPass>(techniques, "sampled");
-  AddTechnique<vtkPercentageCloserSoftShadowPass>(techniques, "pcss");
-  AddTechnique<vtkSeparableSoftShadowPass>(techniques, "sssm");
-  AddTechnique<vtkScreenSpaceSoftShadowPass>(techniques, "ssabss");
-  AddTechnique<vtkCascadedSoftShadowPass>(techniques, "cascaded");
-  AddTechnique<vtkBilateralSoftShadowPass>(techniques, "sbfs");
-  AddTechnique<vtkVirtualSoftShadowPass>(techniques, "pvssm");
-  AddTechnique<vtkMarchedSoftShadowPass>(techniques, "marched");
-
-  std::vector<Contestant> contestants(2 + techniques.size());
-  for (size_t i = 0; i < contestants.size(); ++i)
-  {
-    SetUp(contestants[i], scene);
-    if (i >= 2)
-    {
-      contestants[i].Name = techniques[i - 2].first;
-      UseSoftShadows(contestants[i], techniques[i - 2].second);
-    }
-  }
-  contestants[0].Name = "VTK plain";
-  contestants[1].Name = "VTK vtkShadowMapPass, 2048";
-  UseShadowMaps(contestants[1], 2048);
-  Race(title + ", nothing moves", contestants, frames, MoveNothing);
-  Race(title + ", camera moves", contestants, frames, MoveCamera);
-  Race(title + ", light moves", contestants, frames, MoveLight);
-}
-
-//--------------------------------------------------------------------------------------------------
-// What the driver calls itself, so that figures have a name.
-void PrintDriver()
-{
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->Render();
-  std::istringstream report(window->ReportCapabilities());
-  std::string line;
-  while (std::getline(report, line))
-  {
-    if (line.rfind("OpenGL renderer", 0) == 0 || line.rfind("OpenGL version", 0) == 0)
-    {
-      std::printf("%s\n", line.c_str());
-    }
-  }
-  std::printf("%d x %d pixels\n\n", WindowSize[0], WindowSize[1]);
-}
-
-//--------------------------------------------------------------------------------------------------
 std::string NameOfModel(const std::string& file)
 {
   return file.substr(file.find_last_of('/') + 1);
@@ -428,7 +349,6 @@ std::string NameOfModel(const std::string& file)
 int main(int argc, char** argv)
 {
   int frames = 15;
-  bool techniques = false;
   std::vector<std::string> models;
   for (int i = 1; i < argc; ++i)
   {
@@ -441,33 +361,13 @@ int main(int argc, char** argv)
       WindowSize[0] = std::max(std::atoi(argv[++i]), 1);
       WindowSize[1] = std::max(std::atoi(argv[++i]), 1);
     }
-    else if (std::string(argv[i]) == "--techniques")
-    {
-      techniques = true;
-    }
     else
     {
       models.emplace_back(argv[i]);
     }
   }
-  if (techniques)
-  {
-    PrintDriver();
-  }
   std::printf("| scene | frame | median ms | range | ratio | steps ms |\n"
               "| --- | --- | --- | --- | --- | --- |\n");
-  if (techniques)
-  {
-    RaceTechniques(
-      "100 spheres", [](Contestant& contestant) { AddSpheres(contestant, 100); }, frames);
-    for (const std::string& model : models)
-    {
-      RaceTechniques(
-        NameOfModel(model), [&model](Contestant& contestant) { AddModel(contestant, model); },
-        frames);
-    }
-    return 0;
-  }
   for (const int count : { 10, 1000 })
   {
     RaceStillShadows(

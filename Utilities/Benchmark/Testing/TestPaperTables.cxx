@@ -192,7 +192,7 @@ TEST(PaperTables, MissingScenesAreReported)
 {
   PaperTable table = MakeResult().Table;
   table.Scene = "nowhere";
-  const BenchmarkRunner runner(BenchmarkSettings(), {});
+  const BenchmarkRunner runner(BenchmarkSettings(), {}, {});
   const PaperResult result = RunPaperTable(table, {}, runner);
   std::ostringstream text;
   WritePaperMarkdown(text, result);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SoftShadows contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DifferencePicture.h"
+#include "PictureFile.h"
 #include "VisibilityFile.h"
 
 #include <gtest/gtest.h>

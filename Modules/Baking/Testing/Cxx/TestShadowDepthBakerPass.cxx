@@ -3,7 +3,7 @@
 #include "GLObjectCounter.h"
 #include "GLStateSnapshot.h"
 #include "OffscreenWindow.h"
-#include "Picture.h"
+#include "StoredPicture.h"
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
