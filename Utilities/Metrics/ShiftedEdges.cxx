@@ -34,6 +34,27 @@ Range RangeAround(int width, int height, const std::vector<float>& truth, int x,
   return range;
 }
 
+//--------------------------------------------------------------------------------------------------
+// Whether the estimate shows the same as in a pixel around, in which both images agree.
+bool ShowsTheSameAsBeside(int width, int height, const std::vector<float>& truth,
+  const std::vector<float>& estimate, int x, int y, double tolerance)
+{
+  const size_t pixel = static_cast<size_t>(y) * width + x;
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j)
+  {
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i)
+    {
+      const size_t other = static_cast<size_t>(j) * width + i;
+      if (std::abs(estimate[other] - estimate[pixel]) <= tolerance &&
+        std::abs(estimate[other] - truth[other]) <= tolerance)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -52,7 +73,8 @@ std::vector<unsigned char> FindShiftedEdges(int width, int height, const std::ve
         const Range range = RangeAround(width, height, truth, x, y);
         const bool isBeside =
           value >= range.Least - tolerance && value <= range.Greatest + tolerance;
-        found[pixel] = isBeside ? 1 : 0;
+        found[pixel] =
+          isBeside || ShowsTheSameAsBeside(width, height, truth, estimate, x, y, tolerance) ? 1 : 0;
       }
     }
   }

@@ -6,7 +6,8 @@
  *
  * Whether a pixel's centre is on this or on that side of an edge, of two triangles or of a hard shadow,
  * hangs on a hair where it lies on the edge, and OpenGL drivers differ by a hair. Such a pixel has a
- * value that the other image has beside it. One that a wrong estimate made has not.
+ * value that the other image has beside it, or its own image where both agree. One that a wrong
+ * estimate made has not.
  */
 
 #ifndef SoftShadowsMetrics_ShiftedEdges_h
@@ -21,8 +22,9 @@ namespace softshadows
 constexpr double DriverTolerance = 0.02;
 
 /**
- * 1 where the estimate differs from the truth by more than the tolerance, and lies between the least and
- * the greatest value of the truth's 3 x 3 pixels around, or no farther beyond them than the tolerance;
+ * 1 where the estimate differs from the truth by more than the tolerance, and either lies between the
+ * least and the greatest value of the truth's 3 x 3 pixels around or no farther beyond them than the
+ * tolerance, or differs by no more than that from a pixel around in which both images do not either;
  * else 0. Top row first, NaN where there is no value: such a pixel is on no edge and has no part in the
  * least and the greatest.
  */

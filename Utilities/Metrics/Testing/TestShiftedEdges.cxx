@@ -67,6 +67,20 @@ TEST(ShiftedEdges, ASingleWrongPixelIsNone)
 }
 
 //--------------------------------------------------------------------------------------------------
+// Along an edge both images may go on from values that differ a little.
+TEST(ShiftedEdges, MayGoOnFromAPixelInWhichBothAgree)
+{
+  Image truth(Width * Height, 1.0F);
+  Image estimate = truth;
+  truth[0] = 0.150F;
+  estimate[0] = 0.135F;
+  estimate[1] = 0.120F; // 0.03 from the truth's value beside it
+  EXPECT_EQ(FindShiftedEdges(Width, Height, truth, estimate)[1], 1);
+  estimate[0] = 0.120F; // now both are wrong
+  EXPECT_EQ(FindShiftedEdges(Width, Height, truth, estimate)[1], 0);
+}
+
+//--------------------------------------------------------------------------------------------------
 TEST(ShiftedEdges, PixelsWithoutAValueAreNone)
 {
   Image truth = MakeEdge(3);
