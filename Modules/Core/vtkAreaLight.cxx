@@ -2,14 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAreaLight.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
+#include "vtkInformationKeyLookup.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+// vtkOSPRayLightNode's key, without linking to the ray tracing module; null if nobody has it.
+vtkInformationDoubleKey* FindRadiusKey()
+{
+  return vtkInformationDoubleKey::SafeDownCast(
+    vtkInformationKeyLookup::Find("RADIUS", "vtkOSPRayLightNode"));
+}
+
+}
+
 vtkStandardNewMacro(vtkAreaLight);
 
 //------------------------------------------------------------------------------
@@ -104,6 +120,46 @@ void vtkAreaLight::WarnOfContradiction()
       << " degrees has no effect: set its Size and an AngularDiameter of 0, or call "
          "SetPositional(0).");
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::SetExtent(vtkLight* light, double extent)
+{
+  if (!light || vtkAreaLight::SafeDownCast(light))
+  {
+    return;
+  }
+  if (!std::isfinite(extent) || extent < 0.0)
+  {
+    vtkErrorWithObjectMacro(
+      light, "The extent must be finite and not negative, but is " << extent << ".");
+    return;
+  }
+  vtkInformationDoubleKey* key = FindRadiusKey();
+  if (!key)
+  {
+    key = vtkInformationDoubleKey::MakeKey("RADIUS", "vtkOSPRayLightNode");
+  }
+  if (!light->GetInformation())
+  {
+    light->SetInformation(vtkNew<vtkInformation>());
+  }
+  light->GetInformation()->Set(key, light->GetPositional() ? 0.5 * extent : extent);
+  light->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkAreaLight::GetExtent(vtkLight* light)
+{
+  vtkInformation* information = light ? light->GetInformation() : nullptr;
+  vtkInformationDoubleKey* key = FindRadiusKey();
+  if (!information || !key || !information->Has(key) || vtkAreaLight::SafeDownCast(light))
+  {
+    return 0.0;
+  }
+  const double radius = information->Get(key);
+  const double extent = light->GetPositional() ? 2.0 * radius : radius;
+  return std::isfinite(extent) ? std::max(extent, 0.0) : 0.0;
 }
 
 //------------------------------------------------------------------------------

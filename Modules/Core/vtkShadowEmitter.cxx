@@ -3,9 +3,6 @@
 #include "vtkShadowEmitter.h"
 
 #include "vtkAreaLight.h"
-#include "vtkInformation.h"
-#include "vtkInformationDoubleKey.h"
-#include "vtkInformationKeyLookup.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -14,21 +11,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-
-// vtkOSPRayLightNode's key, without linking to the ray tracing module: whoever could have set the
-// key has loaded it. A radius in world units, or degrees for directional lights. 0: none.
-double GetRayTracingRadius(vtkLight* light)
-{
-  vtkInformation* information = light->GetInformation();
-  auto* key = vtkInformationDoubleKey::SafeDownCast(
-    vtkInformationKeyLookup::Find("RADIUS", "vtkOSPRayLightNode"));
-  if (!information || !key || !information->Has(key))
-  {
-    return 0.0;
-  }
-  const double radius = information->Get(key);
-  return std::isfinite(radius) ? std::max(radius, 0.0) : 0.0;
-}
 
 double TangentOfHalf(double degrees)
 {
@@ -40,7 +22,7 @@ void ReadExtent(vtkLight* light, vtkShadowEmitter& emitter)
   vtkAreaLight* area = vtkAreaLight::SafeDownCast(light);
   if (emitter.Directional)
   {
-    const double degrees = area ? area->GetAngularDiameter() : GetRayTracingRadius(light);
+    const double degrees = area ? area->GetAngularDiameter() : vtkAreaLight::GetExtent(light);
     const double tangent = TangentOfHalf(degrees);
     emitter.Shape = vtkShadowEmitter::DISK;
     emitter.HalfSize = { { tangent, tangent } };
@@ -52,7 +34,7 @@ void ReadExtent(vtkLight* light, vtkShadowEmitter& emitter)
   }
   else
   {
-    const double radius = GetRayTracingRadius(light);
+    const double radius = 0.5 * vtkAreaLight::GetExtent(light);
     emitter.Shape = vtkShadowEmitter::DISK;
     emitter.HalfSize = { { radius, radius } };
   }

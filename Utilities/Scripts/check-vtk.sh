@@ -7,6 +7,7 @@
 #   source      copies the committed sources into it
 #   quickstart  Utilities/quickstart.sh
 #   tests       Utilities/test.sh
+#   python      the Python package alone and its tests, those of PyVista among them
 #   pictures    every technique in every bundled scene, against the tool built here: RMSE < 1e-4
 #   row         prints a row for the README's table of what was run
 # Without a step, all of them. The root is kept, so that a second run starts at its builds.
@@ -14,7 +15,7 @@
 # TOOL (the tool built here, default build/release/bin/softshadow).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-[ $# -gt 0 ] || { sed -n '2,14p' "${BASH_SOURCE[0]}"; exit 1; }
+[ $# -gt 0 ] || { sed -n '2,15p' "${BASH_SOURCE[0]}"; exit 1; }
 suite="$1"
 shift
 [ $# -gt 0 ] || set -- root source quickstart tests pictures row
@@ -115,6 +116,13 @@ for step in "$@"; do
             mkdir -p "$root/softshadows/build"
             within env BUILD_DIR=build/test Utilities/test.sh 2>&1 |
                 tee "$root/softshadows/build/tests.log" || status=1
+            ;;
+        python)
+            prepare
+            within Utilities/Scripts/configure.sh build/python -DSOFTSHADOWS_WRAP_PYTHON=ON
+            within cmake --build build/python -j "$(nproc)" --target python-package
+            within Utilities/Scripts/offscreen.sh \
+                ctest --test-dir build/python -L Python --output-on-failure || status=1
             ;;
         pictures) prepare; compare_all || status=1 ;;
         row) prepare; print_row ;;

@@ -7,6 +7,7 @@
 #include "vtkCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
+#include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -500,4 +501,35 @@ TEST(AreaLight, ALightThatAimsAtItselfStillHasAFrame)
   light->SetPosition(1.0, 2.0, 3.0);
   light->SetFocalPoint(1.0, 2.0, 3.0);
   ExpectFrame(FrameOf(light), { { 0, 0, -1 } }, { { 1, 0, 0 } }, "no direction");
+}
+
+//------------------------------------------------------------------------------
+TEST(AreaLight, GivesPlainLightsAnExtent)
+{
+  vtkNew<vtkLight> lamp;
+  lamp->SetPositional(1);
+  lamp->SetConeAngle(60.0);
+  EXPECT_EQ(vtkAreaLight::GetExtent(lamp), 0.0);
+  vtkAreaLight::SetExtent(lamp, 0.5);
+  EXPECT_EQ(vtkAreaLight::GetExtent(lamp), 0.5);
+  vtkNew<vtkLight> sun;
+  vtkAreaLight::SetExtent(sun, 0.53);
+  EXPECT_EQ(vtkAreaLight::GetExtent(sun), 0.53);
+  vtkNew<vtkLight> copy;
+  copy->DeepCopy(sun);
+  EXPECT_EQ(vtkAreaLight::GetExtent(copy), 0.53);
+
+  vtkNew<vtkAreaLight> area;
+  vtkAreaLight::SetExtent(area, 3.0);
+  EXPECT_EQ(vtkAreaLight::GetExtent(area), 0.0);
+  EXPECT_EQ(area->GetSize()[0], 1.0);
+  EXPECT_EQ(vtkAreaLight::GetExtent(nullptr), 0.0);
+
+  const ErrorCounter errors(sun);
+  for (const double wrong : { -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
+  {
+    vtkAreaLight::SetExtent(sun, wrong);
+  }
+  EXPECT_EQ(errors.Count, 3);
+  EXPECT_EQ(vtkAreaLight::GetExtent(sun), 0.53);
 }

@@ -5,6 +5,7 @@
 #include "vtkAreaLight.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
+#include "vtkInformationKeyLookup.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -53,9 +54,9 @@ void PlaceLamp(vtkLight* light)
 // The key of VTK's ray tracing module, which these tests do not link.
 vtkInformationDoubleKey* RadiusKey()
 {
-  static vtkInformationDoubleKey* key =
-    vtkInformationDoubleKey::MakeKey("RADIUS", "vtkOSPRayLightNode");
-  return key;
+  vtkInformationKey* key = vtkInformationKeyLookup::Find("RADIUS", "vtkOSPRayLightNode");
+  return key ? vtkInformationDoubleKey::SafeDownCast(key)
+             : vtkInformationDoubleKey::MakeKey("RADIUS", "vtkOSPRayLightNode");
 }
 
 void ExpectNear(const Vector& actual, const Vector& expected, const char* what)
