@@ -10,11 +10,11 @@
 #include "vtkShadowCasterVS.h"
 #include "vtkShadowConservativeFS.h"
 #include "vtkShadowConservativeGS.h"
+#include "vtkShadowDriver.h"
 #include "vtkShadowFailures.h"
 #include "vtkShadowMapView.h"
 #include "vtkSoftShadowsOpenGL.h"
 
-#include <cstring>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -22,23 +22,12 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 #ifdef GL_ZERO_TO_ONE
-// OpenGL 4.5. Loaders find the function where the driver does not support it.
+// Loaders find the function where the driver does not support it.
 bool HasClipControl()
 {
-  GLint major = 0;
-  GLint minor = 0;
-  GLint extensions = 0;
-  glGetIntegerv(GL_MAJOR_VERSION, &major);
-  glGetIntegerv(GL_MINOR_VERSION, &minor);
-  glGetIntegerv(GL_NUM_EXTENSIONS, &extensions);
-  bool supported = major > 4 || (major == 4 && minor >= 5);
-  for (GLint i = 0; i < extensions && !supported; ++i)
-  {
-    const auto* name =
-      reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
-    supported = name && std::strcmp(name, "GL_ARB_clip_control") == 0;
-  }
-  return supported && glClipControl != nullptr;
+  return (vtkShadowDriver::HasVersion(4, 5) ||
+           vtkShadowDriver::HasExtension("GL_ARB_clip_control")) &&
+    glClipControl != nullptr;
 }
 #else
 bool HasClipControl()

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowLimits.h"
 
+#include "vtkShadowDriver.h"
 #include "vtkSoftShadowsOpenGL.h"
 
 #include <algorithm>
-#include <cstring>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -23,21 +23,6 @@ int GetLimit(unsigned int name, int most)
 // Of the extensions that tell, in KiB; their names stand in no header of VTK's.
 constexpr GLenum CurrentAvailableMemoryNvx = 0x9049;
 constexpr GLenum TextureFreeMemoryAti = 0x87FC;
-
-bool HasExtension(const char* name)
-{
-  GLint count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (GLint i = 0; i < count; ++i)
-  {
-    const GLubyte* extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-    if (extension && std::strcmp(reinterpret_cast<const char*>(extension), name) == 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -56,11 +41,11 @@ int vtkShadowLimits::GetTextureLayers()
 vtkTypeInt64 vtkShadowLimits::GetFreeMemory()
 {
   GLint kibibytes[4] = { 0, 0, 0, 0 };
-  if (HasExtension("GL_NVX_gpu_memory_info"))
+  if (vtkShadowDriver::HasExtension("GL_NVX_gpu_memory_info"))
   {
     glGetIntegerv(CurrentAvailableMemoryNvx, kibibytes);
   }
-  else if (HasExtension("GL_ATI_meminfo"))
+  else if (vtkShadowDriver::HasExtension("GL_ATI_meminfo"))
   {
     glGetIntegerv(TextureFreeMemoryAti, kibibytes); // the first of four: in the pool altogether
   }

@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowDriver.h"
 #include "vtkShadowFailures.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
@@ -75,7 +76,7 @@ bool vtkVirtualBlocks::FindBounds(vtkOpenGLRenderWindow* window, vtkVirtualScree
   kernels.Activate(program, vtkVirtualScreen::PREDICTIONS);
   this->BoundsShader.Draw();
   kernels.Deactivate();
-  if (vtkVirtualScreen::IsDrawnInSoftware())
+  if (!vtkShadowDriver::OrdersVertices())
   {
     glFinish(); // vertices look up what was drawn here
   }

@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowDriver.h"
 #include "vtkShadowFailures.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
@@ -72,7 +73,6 @@ bool vtkVirtualGrid::Allocate(vtkOpenGLRenderWindow* window)
   this->Watch.Enter(window);
   if (!this->VertexArray)
   {
-    this->DrawnInSoftware = vtkVirtualScreen::IsDrawnInSoftware();
     this->VertexArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
   }
   return true;
@@ -85,7 +85,7 @@ bool vtkVirtualGrid::Begin(vtkOpenGLRenderWindow* window)
   {
     return false;
   }
-  if (this->DrawnInSoftware)
+  if (!vtkShadowDriver::OrdersVertices())
   {
     glFinish(); // points look up what the steps before drew
   }

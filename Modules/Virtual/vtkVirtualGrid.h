@@ -40,8 +40,8 @@ public:
   vtkVirtualGrid& operator=(const vtkVirtualGrid&) = delete;
 
   /**
-   * Before the grids of a frame, when the kernels of all their screens have been drawn. On software
-   * rasterisers this waits until they are: nothing else orders vertex shaders after drawing there.
+   * Before the grids of a frame, when the kernels of all their screens have been drawn. Waits until
+   * they are where nothing else orders vertex shaders after drawing (vtkShadowDriver).
    */
   bool Begin(vtkOpenGLRenderWindow* window);
 
@@ -73,7 +73,6 @@ private:
   vtkShadowShader PyramidShader;
   vtkShadowFramebuffer Framebuffer;
   int PointBuilds = 0;
-  bool DrawnInSoftware = false;
   vtkShadowContextWatch Watch; // of program and vertex array
 };
 

@@ -8,8 +8,6 @@
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 
-#include <cstring>
-
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkVirtualScreen::vtkVirtualScreen() = default;
@@ -92,13 +90,6 @@ void vtkVirtualScreen::Deactivate()
   {
     texture->Deactivate();
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkVirtualScreen::IsDrawnInSoftware()
-{
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
 }
 
 //------------------------------------------------------------------------------

@@ -71,8 +71,6 @@ public:
   ///@}
 
   vtkShadowTextureArray* GetTexture(TextureName texture) { return this->Textures[texture]; }
-  /// Mesa's software rasterisers run vertex shaders at once, even on a texture that they still draw.
-  static bool IsDrawnInSoftware();
 
   vtkTypeInt64 GetBytes() const;
   void ReleaseGraphicsResources(vtkWindow* window);
