@@ -34,6 +34,8 @@ struct vtkVirtualEmitter
   vtkTypeInt64 ShapesState = -1;
   /// The last frame's tiles were planned by an older frame's request.
   bool IsLate = false;
+  /// By how many cells of the map points may have moved since.
+  int Shift = 0;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -27,6 +27,10 @@ namespace
 constexpr int GridSize = vtkVirtualTileTree::GridSize;
 constexpr int GridLevels = vtkVirtualTileTree::GridLevels;
 
+// Edge of the blocks of pixels that draw a point per cell. Cards blend at one place one after the other;
+// to a processor looks at neighbours are dearer than points.
+constexpr int PointBlock = 8;
+
 vtkShadowShader::Definitions GridDefinitions()
 {
   return { { "VIRTUAL_PENUMBRA", std::to_string(vtkVirtualScreen::PENUMBRA) + ".0" },
@@ -152,7 +156,9 @@ bool vtkVirtualGrid::DrawPoints(vtkOpenGLRenderWindow* window, vtkVirtualScreen&
   screen.Activate(this->PointProgram, vtkVirtualScreen::SHAPES);
   screen.Activate(this->PointProgram, vtkVirtualScreen::PREDICTIONS);
   vtkShadowTextureArray* shapes = screen.GetTexture(vtkVirtualScreen::SHAPES);
-  this->PointProgram->SetUniformf("gridSize", static_cast<float>(GridSize));
+  this->PointProgram->SetUniformi("gridSize", GridSize);
+  this->PointProgram->SetUniformi(
+    "blockSize", vtkShadowDriver::DrawsOnProcessor() ? 1 : PointBlock);
   this->VertexArray->Bind();
   // Mesa's softpipe miscounts the vertices of long draws: rows are instances.
   glDrawArraysInstanced(GL_POINTS, 0, shapes->GetWidth(), shapes->GetHeight());

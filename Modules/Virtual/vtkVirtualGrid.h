@@ -5,7 +5,8 @@
  * @brief   The tile grid on the GPU: what texel size every cell of the map's plane is asked for.
  *
  * L. Shen et al. 2011, section 5.2, steps 4 and 5: a point per pixel, made from its vertex number,
- * falls into its cell with minimum blending; the pyramid of minima is drawn level by level. How it
+ * falls into its cell with minimum blending; the pyramid of minima is drawn level by level. On a card
+ * the first of the pixels of a block of 8 x 8 that lie in one cell draws the point of all. How the grid
  * reaches the CPU is vtkVirtualRequest's.
  *
  * Beyond the paper, cells take over the wishes of all kernels that reach into them (the paper: of the
@@ -15,13 +16,14 @@
 #ifndef vtkVirtualGrid_h
 #define vtkVirtualGrid_h
 
-#include "vtkNew.h"                // For members
-#include "vtkShadowContextWatch.h" // For members
-#include "vtkShadowFramebuffer.h"  // For members
-#include "vtkShadowShader.h"       // For members
-#include "vtkSmartPointer.h"       // For members
-#include "vtkSoftShadowsABI.h"     // For the ABI namespace
-#include "vtkType.h"               // For bytes
+#include "vtkNew.h"                               // For members
+#include "vtkRenderingSoftShadowsVirtualModule.h" // For export macro
+#include "vtkShadowContextWatch.h"                // For members
+#include "vtkShadowFramebuffer.h"                 // For members
+#include "vtkShadowShader.h"                      // For members
+#include "vtkSmartPointer.h"                      // For members
+#include "vtkSoftShadowsABI.h"                    // For the ABI namespace
+#include "vtkType.h"                              // For bytes
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -31,7 +33,7 @@ class vtkShadowTextureArray;
 class vtkVirtualScreen;
 class vtkWindow;
 
-class vtkVirtualGrid
+class VTKRENDERINGSOFTSHADOWSVIRTUAL_EXPORT vtkVirtualGrid
 {
 public:
   vtkVirtualGrid();

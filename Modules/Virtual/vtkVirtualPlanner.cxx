@@ -24,6 +24,9 @@ namespace
 constexpr double TexelsPerPixel = 6.0;
 // At most, so that large windows do not cost memory.
 constexpr double DearestTile = 1024.0 * 1024.0;
+// An older grid serves up to so many cells that points have moved by: each cell then takes over the
+// wishes of those around it that far.
+constexpr int LargestShift = 4;
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -129,7 +132,9 @@ bool vtkVirtualPlanner::RequestTiles(const vtkSoftShadowServices& services,
     {
       this->LookBack(*emitters[i]);
     }
-    const bool serves = !services.IsData && settings.GridLatency > 0 && request.Serves(views[i]);
+    emitters[i]->Shift = request.GetShift(views[i]);
+    const bool serves =
+      !services.IsData && settings.GridLatency > 0 && emitters[i]->Shift <= LargestShift;
     if (serves && request.IsOf(this->State))
     {
       continue;
@@ -198,8 +203,8 @@ void vtkVirtualPlanner::PlanTiles(const vtkSoftShadowServices& services,
     {
       // No tile may be missing, and none be coarser than the map that blockers are searched in.
       const float coarsest = 1.0f / static_cast<float>(settings.SearchMapSize);
-      emitter.Tree.Build(
-        vtkVirtualTileTree::MakePyramid(vtkVirtualTileTree::Widen(wishes.front(), coarsest)),
+      emitter.Tree.Build(vtkVirtualTileTree::MakePyramid(
+                           vtkVirtualTileTree::Widen(wishes.front(), coarsest, 1 + emitter.Shift)),
         limits);
     }
     else

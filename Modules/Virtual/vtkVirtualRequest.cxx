@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVirtualRequest.h"
 
+#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShadowScopedState.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkSoftShadowsOpenGL.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -25,6 +28,15 @@ GLsizeiptr CountBytes()
     cells += static_cast<size_t>(GridSize >> level) * (GridSize >> level);
   }
   return static_cast<GLsizeiptr>(cells * sizeof(vtkVirtualTileTree::Cell));
+}
+
+// Kernels of other sizes ask for other texels.
+bool HaveOneSize(const vtkShadowEmitter& a, const vtkShadowEmitter& b)
+{
+  const auto isNear = [](double x, double y)
+  { return std::abs(x - y) <= 0.1 * std::max(std::abs(x), std::abs(y)); };
+  return a.Shape == b.Shape && a.Directional == b.Directional &&
+    isNear(a.HalfSize[0], b.HalfSize[0]) && isNear(a.HalfSize[1], b.HalfSize[1]);
 }
 } // namespace
 
@@ -89,6 +101,38 @@ bool vtkVirtualRequest::HasArrived() const
   const GLenum status =
     glClientWaitSync(static_cast<GLsync>(this->Fence), GL_SYNC_FLUSH_COMMANDS_BIT, 0);
   return status == GL_ALREADY_SIGNALED || status == GL_CONDITION_SATISFIED;
+}
+
+//------------------------------------------------------------------------------
+int vtkVirtualRequest::GetShift(const vtkShadowMapView& view) const
+{
+  if (this->Wishes.empty() || !HaveOneSize(this->HeldView.Emitter, view.Emitter))
+  {
+    return Far;
+  }
+  if (this->HeldView == view)
+  {
+    return 0;
+  }
+  double heldToWorld[16];
+  vtkMatrix4x4::Invert(this->HeldView.WorldToMap().data(), heldToWorld);
+  double heldToMap[16];
+  vtkMatrix4x4::Multiply4x4(view.WorldToMap().data(), heldToWorld, heldToMap);
+  double largest = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double from[4] = { (corner & 1) != 0 ? 1.0 : 0.0, (corner & 2) != 0 ? 1.0 : 0.0,
+      (corner & 4) != 0 ? 0.0 : -1.0, 1.0 };
+    double to[4];
+    vtkMatrix4x4::MultiplyPoint(heldToMap, from, to);
+    if (!(to[3] > 0.0))
+    {
+      return Far;
+    }
+    largest =
+      std::max({ largest, std::abs(to[0] / to[3] - from[0]), std::abs(to[1] / to[3] - from[1]) });
+  }
+  return static_cast<int>(std::ceil(std::min(largest, 1.0 * Far / GridSize) * GridSize));
 }
 
 //------------------------------------------------------------------------------

@@ -53,11 +53,12 @@ public:
   /// Whether that is what this state asks for.
   bool IsOf(vtkTypeInt64 state) const { return !this->Wishes.empty() && this->HeldState == state; }
 
-  /// Whether its cells are those of this view.
-  bool Serves(const vtkShadowMapView& view) const
-  {
-    return !this->Wishes.empty() && this->HeldView == view;
-  }
+  /**
+   * By how many cells, at most, a point of the map that its cells are of lies elsewhere on the map of
+   * this view. Far if that cannot be told, if the light has another size, or before the first one.
+   */
+  int GetShift(const vtkShadowMapView& view) const;
+  static constexpr int Far = 1 << 20;
 
   /// Forgets all, also what was taken. The window's end and the destructor do so by themselves.
   void ReleaseGraphicsResources() { this->Watch.Free(); }

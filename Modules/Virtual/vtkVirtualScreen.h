@@ -11,10 +11,11 @@
 #ifndef vtkVirtualScreen_h
 #define vtkVirtualScreen_h
 
-#include "vtkNew.h"               // For members
-#include "vtkShadowFramebuffer.h" // For members
-#include "vtkSoftShadowsABI.h"    // For the ABI namespace
-#include "vtkType.h"              // For bytes
+#include "vtkNew.h"                               // For members
+#include "vtkRenderingSoftShadowsVirtualModule.h" // For export macro
+#include "vtkShadowFramebuffer.h"                 // For members
+#include "vtkSoftShadowsABI.h"                    // For the ABI namespace
+#include "vtkType.h"                              // For bytes
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -22,7 +23,7 @@ class vtkShaderProgram;
 class vtkShadowTextureArray;
 class vtkWindow;
 
-class vtkVirtualScreen
+class VTKRENDERINGSOFTSHADOWSVIRTUAL_EXPORT vtkVirtualScreen
 {
 public:
   enum TextureName

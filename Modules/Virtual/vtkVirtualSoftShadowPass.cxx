@@ -4,6 +4,7 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkShadowDriver.h"
 #include "vtkShadowScopedTarget.h"
 #include "vtkSoftShadowServices.h"
 #include "vtkVirtualDrawing.h"
@@ -28,6 +29,7 @@ public:
   std::map<Key, vtkVirtualEmitter> Emitters;
   vtkVirtualPlanner Planner;
   vtkVirtualDrawing Drawing;
+  int GridLatency = 0; // of this driver
 };
 
 //------------------------------------------------------------------------------
@@ -68,7 +70,7 @@ vtkVirtualSettings vtkVirtualSoftShadowPass::GetSettings() const
   settings.Quality = this->Quality;
   settings.SearchWidth = this->SearchWidth;
   settings.MaximumTiles = this->MaximumTiles;
-  settings.GridLatency = this->GridLatency;
+  settings.GridLatency = this->Impl->GridLatency;
   settings.DebugView = this->DebugView;
   return settings;
 }
@@ -78,6 +80,11 @@ void vtkVirtualSoftShadowPass::Begin(const vtkSoftShadowServices& services)
 {
   Internals& impl = *this->Impl;
   impl.Planner.Begin(services);
+  impl.GridLatency = this->GridLatency;
+  if (this->GridLatency == LATENCY_OF_DRIVER)
+  {
+    impl.GridLatency = vtkShadowDriver::DrawsOnProcessor() ? 0 : 1;
+  }
   for (auto emitter = impl.Emitters.begin(); emitter != impl.Emitters.end();)
   {
     emitter->second.IsShown = false;
@@ -124,7 +131,7 @@ void vtkVirtualSoftShadowPass::Add(const vtkSoftShadowServices& services)
 bool vtkVirtualSoftShadowPass::WantsVisibilityAnew()
 {
   const Internals& impl = *this->Impl;
-  return this->Adaptive && this->GridLatency > 0 &&
+  return this->Adaptive && impl.GridLatency > 0 &&
     (impl.Planner.IsOwed() ||
       std::any_of(impl.Emitters.begin(), impl.Emitters.end(),
         [](const std::pair<const Internals::Key, vtkVirtualEmitter>& emitter)
@@ -238,7 +245,15 @@ void vtkVirtualSoftShadowPass::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "SearchWidth: " << this->SearchWidth << "\n";
-  os << indent << "GridLatency: " << this->GridLatency << "\n";
+  os << indent << "GridLatency: ";
+  if (this->GridLatency == LATENCY_OF_DRIVER)
+  {
+    os << "of the driver\n";
+  }
+  else
+  {
+    os << this->GridLatency << "\n";
+  }
   os << indent << "MaximumTiles: " << this->MaximumTiles << "\n";
   os << indent << "DebugView: " << views[this->DebugView] << "\n";
 }

@@ -153,18 +153,26 @@ public:
   vtkGetMacro(MaximumTiles, int);
   ///@}
 
+  enum GridLatencyType
+  {
+    LATENCY_OF_DRIVER = -1
+  };
   ///@{
   /**
    * How many frames old the grid may be that tiles are planned by, 0 or 1. With 0 the CPU waits, once
    * per frame for all emitters, until the GPU has drawn this frame's grid. With 1 it does not: while
-   * the camera moves the grid of the frame before serves, if it has arrived, else an older one. Each
-   * cell then takes the finest wish of its 3 x 3 neighbours, and no cell is coarser than the search
-   * map. It waits only where the map itself changed (first frames, moved lights or casters that change
-   * its window). Once nothing changes, the next frame is drawn anew with its own grid: a still
-   * picture is the same with both settings. Default is 0: pictures do not depend on time.
+   * camera, lights or casters move the grid of the frame before serves, if it has arrived, else an
+   * older one. Each cell then takes the finest wish of its 3 x 3 neighbours, and of as many more as
+   * points have moved on the map, and no cell is coarser than the search map. It waits only in first
+   * frames and where points have moved by more than 4 of the 64 cells. Once nothing changes, the next
+   * frame is drawn anew with its own grid: a still picture is the same with both settings.
+   *
+   * Default is LATENCY_OF_DRIVER: 1 on a graphics card; 0 where the processor draws, since waiting
+   * takes no time from anybody there, so that pictures do not depend on time.
    */
-  vtkSetClampMacro(GridLatency, int, 0, 1);
+  vtkSetClampMacro(GridLatency, int, LATENCY_OF_DRIVER, 1);
   vtkGetMacro(GridLatency, int);
+  void SetGridLatencyToDriver() { this->SetGridLatency(LATENCY_OF_DRIVER); }
   ///@}
 
   enum DebugViewType
@@ -193,7 +201,7 @@ public:
   ///@}
 
   /**
-   * With GridLatency 1: by how much the texels of the last frame drawn by an older grid were larger
+   * Without waiting (GridLatency): by how much the texels of the last frame drawn by an older grid were larger
    * than it asked for, at worst; 1 if they were not. Known a frame later.
    */
   double GetLatencyExcess() const;
@@ -221,7 +229,7 @@ protected:
   double Quality = 3.0;
   int SearchWidth = 12;
   int MaximumTiles = 256;
-  int GridLatency = 0;
+  int GridLatency = LATENCY_OF_DRIVER;
   int DebugView = DEBUG_NONE;
 
 private:

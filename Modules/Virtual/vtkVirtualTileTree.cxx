@@ -9,6 +9,26 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr int LeastResolution = 32;
+
+// Every cell of to takes the least of the cells of from up to reach steps away, along one axis.
+void TakeLeast(const vtkVirtualTileTree::Level& from, vtkVirtualTileTree::Level& to, int reach,
+  int step, int across)
+{
+  const int last = vtkVirtualTileTree::GridSize - 1;
+  for (int line = 0; line <= last; ++line)
+  {
+    for (int i = 0; i <= last; ++i)
+    {
+      vtkVirtualTileTree::Cell& cell = to[static_cast<size_t>(line * across + i * step)];
+      for (int k = std::max(i - reach, 0); k <= std::min(i + reach, last); ++k)
+      {
+        const vtkVirtualTileTree::Cell& other = from[static_cast<size_t>(line * across + k * step)];
+        cell.R0 = std::min(cell.R0, other.R0);
+        cell.R1 = std::min(cell.R1, other.R1);
+      }
+    }
+  }
+}
 } // namespace
 
 // A square of a pyramid's level, or the half of one.
@@ -51,25 +71,12 @@ vtkVirtualTileTree::Pyramid vtkVirtualTileTree::MakePyramid(const Level& grid)
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualTileTree::Level vtkVirtualTileTree::Widen(const Level& grid, float coarsest)
+vtkVirtualTileTree::Level vtkVirtualTileTree::Widen(const Level& grid, float coarsest, int reach)
 {
+  Level rows(grid.size(), Cell{ coarsest, coarsest });
   Level wide(grid.size(), Cell{ coarsest, coarsest });
-  for (int y = 0; y < GridSize; ++y)
-  {
-    for (int x = 0; x < GridSize; ++x)
-    {
-      Cell& to = wide[static_cast<size_t>(y) * GridSize + x];
-      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, GridSize - 1); ++j)
-      {
-        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, GridSize - 1); ++i)
-        {
-          const Cell& from = grid[static_cast<size_t>(j) * GridSize + i];
-          to.R0 = std::min(to.R0, from.R0);
-          to.R1 = std::min(to.R1, from.R1);
-        }
-      }
-    }
-  }
+  TakeLeast(grid, rows, reach, 1, GridSize);
+  TakeLeast(rows, wide, reach, GridSize, 1);
   return wide;
 }
 

@@ -77,10 +77,10 @@ public:
 
   /**
    * A grid that serves for another picture than it was drawn for, a frame later: every cell asks for
-   * the least of the texel sizes of the 3 x 3 cells around it, and none, not even the unused ones, for
-   * more than coarsest.
+   * the least of the texel sizes of the cells around it, up to reach cells away, and none, not even the
+   * unused ones, for more than coarsest.
    */
-  static Level Widen(const Level& grid, float coarsest);
+  static Level Widen(const Level& grid, float coarsest, int reach = 1);
 
   /// The least resolution a tile may have that is no less than this; at most the largest tile.
   static int GetResolution(double texels, int largestTile);

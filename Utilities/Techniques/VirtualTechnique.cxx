@@ -34,8 +34,8 @@ Technique MakeVirtualTechnique()
     pass, SearchWidth, "search_width", "blocks along an edge of the search for blockers"));
   technique.Options.push_back(
     SOFTSHADOWS_INTEGER_OPTION(pass, MaximumTiles, "maximum_tiles", "the most tiles of a light"));
-  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(
-    pass, GridLatency, "grid_latency", "frames that the grid of wanted texels may be old, 0 or 1"));
+  technique.Options.push_back(SOFTSHADOWS_INTEGER_OPTION(pass, GridLatency, "grid_latency",
+    "frames that the grid of wanted texels may be old, 0 or 1; -1: 1 on a graphics card"));
   technique.Options.push_back(SOFTSHADOWS_CHOICE_OPTION(pass, DebugView, "debug_view",
     "what is shown in place of visibility", { "none", "tiles", "resolution", "kernel" }));
   technique.Draft.Options = { { "quality", "0.5" } };

@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkShadowDriver.h"
 #include "vtkVirtualSoftShadowPass.h"
 
 #include <gtest/gtest.h>
@@ -138,6 +139,16 @@ void Step(PlatesWindow& window, int frame)
 {
   window.Look(0.05 * frame, -4.0 + 0.06 * frame);
 }
+
+void StepLights(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights, int frame)
+{
+  const double places[3][2] = { { 1.5, 1.0 }, { -3.0, 0.5 }, { 0.0, -2.0 } };
+  for (size_t light = 0; light < lights.size(); ++light)
+  {
+    lights[light]->SetPosition(
+      places[light][0] + 0.05 * frame, places[light][1] - 0.02 * frame, 6.0);
+  }
+}
 } // namespace
 
 TEST(VirtualLatency, AllLightsOfAFrameAreWaitedForOnce)
@@ -220,6 +231,71 @@ TEST(VirtualLatency, AMovingCameraIsNeverWaitedForAndAsRight)
   }
 }
 
+TEST(VirtualLatency, MovingLightsAreNeverWaitedForAndAsRight)
+{
+  // As above. A step turns a light by half a degree around the scene, and its map with it.
+  constexpr int Frames = 4;
+  const std::vector<vtkSmartPointer<vtkAreaLight>> lights = ThreeLights();
+  PlatesWindow window(lights);
+  std::vector<Picture> exact;
+  std::vector<Picture> fine;
+  for (int frame = 1; frame < Frames; ++frame)
+  {
+    StepLights(lights, frame);
+    window.VisibilitiesTo(exact);
+    window.Pass->SetQuality(8.0);
+    window.VisibilitiesTo(fine);
+    window.Pass->SetQuality(3.0);
+  }
+  window.Pass->SetGridLatency(1);
+  StepLights(lights, 0);
+  window.Visibility();
+  window.Visibility();
+  for (int frame = 1; frame < Frames; ++frame)
+  {
+    StepLights(lights, frame);
+    std::vector<Picture> late;
+    window.VisibilitiesTo(late);
+    EXPECT_EQ(window.Pass->GetCount("grid_waits"), 0) << "frame " << frame;
+    EXPECT_EQ(window.Pass->GetCount("late_grids"), 3) << "frame " << frame;
+    EXPECT_LT(window.Pass->GetLatencyExcess(), 1.1) << "frame " << frame;
+    for (int light = 0; light < 3; ++light)
+    {
+      const size_t index = 3 * (frame - 1) + light;
+      const Errors before = Compare(exact[index], fine[index]);
+      const Errors after = Compare(late[light], fine[index]);
+      EXPECT_GT(Compare(late[light], exact[index]).Maximum, 0.0)
+        << "frame " << frame << ": the same tiles";
+      EXPECT_LT(after.RootMeanSquare, 1.1 * before.RootMeanSquare)
+        << "frame " << frame << " light " << light;
+    }
+  }
+}
+
+TEST(VirtualLatency, CardsAreNotWaitedForUnlessAsked)
+{
+  const std::vector<vtkSmartPointer<vtkAreaLight>> lights = ThreeLights();
+  for (const bool isCard : { true, false })
+  {
+    vtkShadowDriver::Pretend(isCard ? vtkShadowDriver::CARD : vtkShadowDriver::PROCESSOR);
+    PlatesWindow window(lights);
+    window.Visibility();
+    EXPECT_EQ(window.Pass->GetCount("grid_waits"), 1) << "first frame, card " << isCard;
+    for (int frame = 1; frame < 3; ++frame)
+    {
+      Step(window, frame);
+      StepLights(lights, frame);
+      window.Visibility();
+      EXPECT_EQ(window.Pass->GetCount("grid_waits"), isCard ? 0 : 1) << "card " << isCard;
+    }
+    window.Pass->SetGridLatency(0);
+    Step(window, 3);
+    window.Visibility();
+    EXPECT_EQ(window.Pass->GetCount("grid_waits"), 1) << "asked, card " << isCard;
+  }
+  vtkShadowDriver::Pretend(vtkShadowDriver::TOLD_BY_NAME);
+}
+
 TEST(VirtualLatency, ALeapOfTheCameraLeavesNoHole)
 {
   // What the frame before did not look at has tiles no coarser than the search map.
@@ -271,14 +347,14 @@ TEST(VirtualLatency, AStillPictureIsTheExactOne)
   EXPECT_EQ(window.Pass->GetStatistics().VisibilityFrames, drawn + 1) << "is drawn for ever";
 }
 
-TEST(VirtualLatency, AMapThatMovedIsWaitedFor)
+TEST(VirtualLatency, AMapThatMovedFarIsWaitedFor)
 {
   const std::vector<vtkSmartPointer<vtkAreaLight>> lights = ThreeLights();
   PlatesWindow window(lights);
   lights[1]->SetPosition(-3.0, 0.6, 6.0);
   window.Visibility();
   const Picture exact = window.Visibility(1);
-  lights[1]->SetPosition(-3.0, 0.5, 6.0);
+  lights[1]->SetPosition(3.0, 0.5, 6.0); // across the scene
   window.Pass->SetGridLatency(1);
   window.Visibility();
   lights[1]->SetPosition(-3.0, 0.6, 6.0);

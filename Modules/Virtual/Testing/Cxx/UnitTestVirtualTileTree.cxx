@@ -119,7 +119,8 @@ TEST(VirtualTileTree, AWideGridServesWhatMovesByACell)
   for (int i = 0; i < 60; ++i)
   {
     const vtkVirtualTileTree::Level grid = RandomGrid(random, 1e-4);
-    const vtkVirtualTileTree::Level wide = vtkVirtualTileTree::Widen(grid, Coarsest);
+    const int reach = 1 + i % 5;
+    const vtkVirtualTileTree::Level wide = vtkVirtualTileTree::Widen(grid, Coarsest, reach);
     vtkVirtualTileTree::Limits limits;
     limits.LargestTile = 4096;
     limits.MostTexels = 1e12;
@@ -127,8 +128,8 @@ TEST(VirtualTileTree, AWideGridServesWhatMovesByACell)
     vtkVirtualTileTree tree;
     tree.Build(vtkVirtualTileTree::MakePyramid(wide), limits);
     CheckTiles(wide, tree, limits.LargestTile); // wide has no unused cells: nothing is left out
-    const int dx = step(random);
-    const int dy = step(random);
+    const int dx = reach * step(random);
+    const int dy = reach * step(random);
     vtkVirtualTileTree::Level moved(Size * Size);
     for (int y = std::max(dy, 0); y < std::min(Size + dy, Size); ++y)
     {
