@@ -46,13 +46,10 @@ void SetParameters(int levels)
   glTexParameteri(
     target, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
   glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-  // Beyond a depth map lies nothing: infinitely far.
-  const float borderColor[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, borderColor);
 }
 } // namespace
 

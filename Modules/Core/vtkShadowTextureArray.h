@@ -7,7 +7,8 @@
  * vtkTextureObject knows no array textures; every call on them stands here. Depth maps, pyramids
  * and visibilities are array textures, one layer per map or light.
  *
- * Nearest filtering; outside the border colour, which is 0: in a depth map, infinitely far.
+ * Nearest filtering; outside lies what is at the edge. That nothing lies beyond a depth map, the
+ * snippet vtkShadowDepthMap tells by arithmetic: borders are what samplers differ in.
  */
 
 #ifndef vtkShadowTextureArray_h

@@ -14,7 +14,9 @@ vec4 fetchFour(ivec2 corner)
 {
   ivec3 size = textureSize(depthMaps, 0);
 #ifdef GL_ARB_texture_gather
-  return -textureGather(depthMaps, vec3(vec2(corner + 1) / vec2(size.xy), float(layer)));
+  vec2 isInside = vec2(lessThan(corner + 1, size.xy));
+  vec4 depths = textureGather(depthMaps, vec3(vec2(corner + 1) / vec2(size.xy), float(layer)));
+  return -depths * vec4(isInside.y, isInside.x * isInside.y, isInside.x, 1.0);
 #else
   vec4 depths = vec4(0.0);
   for (int i = 0; i < 4; ++i)

@@ -141,12 +141,27 @@ const float emptyDepth = 0.0;
 const float nearestDepth = -1.0;
 const float infinitelyFar = 1e30;
 
-// The map's depth; beyond its border nothing blocks.
+// The map's depth; beyond its border nothing blocks, whatever a sampler makes of it.
 float mapDepth(vec2 st, float layer)
 {
-  float depth = -textureLod(depthMaps, vec3(texelCenter(st), layer), 0.0).r;
-  return depth < emptyDepth ? depth : infinitelyFar;
+  vec2 center = texelCenter(st);
+  float depth = -textureLod(depthMaps, vec3(center, layer), 0.0).r;
+  bool isInMap = all(lessThan(abs(center - 0.5), vec2(0.5)));
+  return isInMap && depth < emptyDepth ? depth : infinitelyFar;
 }
+
+#ifdef SOFT_SHADOW_GATHER
+// Of the four texels around a corner of texels, in the order of textureGather: those of -s +t, +s +t,
+// +s -t, -s -t.
+vec4 mapDepthsAround(vec2 corner, float layer)
+{
+  vec4 depths = -textureGather(depthMaps, vec3(corner / depthMapSize, layer));
+  vec4 places = vec4(corner - 0.5, corner + 0.5) / depthMapSize;
+  vec4 isInside = vec4(lessThan(abs(places - 0.5), vec4(0.5)));
+  depths *= isInside.xzzx * isInside.wwyy;
+  return mix(vec4(infinitelyFar), depths, lessThan(depths, vec4(emptyDepth)));
+}
+#endif
 
 // Of a surface that shows in a texel: how far in front it may be, in biases, to be looked at for
 // whether it meets the receiver's plane nearby; and by how much more texels may differ that show it.

@@ -28,8 +28,7 @@ vec2 blockedTexels(MapPoint point, int i, float layer)
   vec4 weights = vec4((1.0 - part.x) * part.y, part.x * part.y, part.x * (1.0 - part.y),
     (1.0 - part.x) * (1.0 - part.y));
 #ifdef SOFT_SHADOW_GATHER
-  vec4 depths = -textureGather(depthMaps, vec3(corner / depthMapSize, layer));
-  depths = mix(vec4(infinitelyFar), depths, lessThan(depths, vec4(emptyDepth)));
+  vec4 depths = mapDepthsAround(corner, layer);
 #else
   vec2 side = vec2(0.5, -0.5) / depthMapSize;
   vec2 st = corner / depthMapSize;

@@ -28,8 +28,7 @@ float insideShare(int i, float cut)
 // The four texels around a corner of texels, as textureGather returns them.
 vec4 litTexels(MapPoint point, vec2 corner, float layer)
 {
-  vec4 depths = -textureGather(depthMaps, vec3(corner / depthMapSize, layer));
-  depths = mix(vec4(infinitelyFar), depths, lessThan(depths, vec4(emptyDepth)));
+  vec4 depths = mapDepthsAround(corner, layer);
   // isBlocker at the four centres, for planes that face the light.
   float middle = planeDepth(point, corner / depthMapSize) - point.bias;
   vec2 reach = 0.5 / depthMapSize * point.gradient;

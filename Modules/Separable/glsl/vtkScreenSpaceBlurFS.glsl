@@ -31,7 +31,7 @@ float blur(Receiver receiver, vec2 center, vec2 halfExtent)
   {
     float x = tapCoordinate(i, filterWidth);
     vec2 pixel = center + x * halfExtent;
-    if (any(lessThan(pixel, vec2(0.0))) || any(greaterThan(pixel, vec2(1.0))))
+    if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, vec2(1.0))))
     {
       continue;
     }

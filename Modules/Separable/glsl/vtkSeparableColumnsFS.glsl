@@ -78,7 +78,7 @@ vec3 gatherBlockers(MapPoint point, float reach, ColumnWalk walk, ColumnRows row
     float share = lineWeight(cell.x, columnAxis) * cell.y;
     vec2 offset = y * columnAxis * halfWidth;
     vec3 pixel = vec3(screenAt(walk, dot(offset, columnAxis)), 0.0);
-    vec4 other = textureLod(receiverPoints, pixel, 0.0);
+    vec4 other = receiverPointAt(pixel.xy);
     if (canReuse(point, reach, other, point.std.xy + offset))
     {
       total += share * blockersInRow(point, pixel, chordAt(cell.x), offset, abs(other.w) / reach);

@@ -22,6 +22,13 @@ ColumnWalk startWalk(MapPoint point)
   return ColumnWalk(mapToScreen * vec4(point.std, 1.0), mapToScreen * vec4(columnAxis, slope, 0.0));
 }
 
+// The point of the pixel at a place of the screen; none to reuse beside the screen.
+vec4 receiverPointAt(vec2 place)
+{
+  bool isOnScreen = all(greaterThanEqual(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)));
+  return isOnScreen ? textureLod(receiverPoints, vec3(place, 0.0), 0.0) : vec4(0.0);
+}
+
 // Texture coordinates of the pixel that sees the column's point; outside [0, 1]^2 if none does.
 vec2 screenAt(ColumnWalk walk, float offset)
 {

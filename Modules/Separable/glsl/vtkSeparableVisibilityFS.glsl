@@ -89,7 +89,7 @@ float reuseRow(MapPoint point, Receiver receiver, float gap, vec2 place, vec2 ax
   for (int k = 0; k < 2; ++k)
   {
     vec2 pixel = (lower + 0.5 + float(k) * across) / screenSize;
-    vec4 other = textureLod(receiverPoints, vec3(pixel, 0.0), 0.0);
+    vec4 other = receiverPointAt(pixel);
     if (canReuse(point, receiver, pixel, other, point.std.xy + offset, gap))
     {
       float blocked = blockedInRow(pixel, gap, parts, other.w < 0.0);
