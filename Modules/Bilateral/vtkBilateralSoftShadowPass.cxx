@@ -195,7 +195,7 @@ void vtkBilateralSoftShadowPass::Internals::DrawBatch(const vtkSoftShadowService
     "litWeight", isFirst ? samples.LitWeight / static_cast<float>(services.Emitter.Weight) : 0.0f);
   vtkShadowTextureArray* texture = maps ? maps->GetTexture() : this->NoMaps.GetPointer();
   program->SetUniformi("depthMaps", texture->Activate(services.Window));
-  services.DrawMarked(this->MeanShader);
+  services.DrawMarked(this->MeanShader, vtkSoftShadowServices::CountSampleTaps(last - first, 1));
   texture->Deactivate();
   services.Receivers->Deactivate();
 }

@@ -86,7 +86,8 @@ void vtkCascadedDrawing::DrawCascade(
       maps.GetMapSize(set.Resolution), set.FilterSize);
     vtkShadowTextureArray* texture = run.Texture;
     program->SetUniformi("depthMaps", texture->Activate(services.Window));
-    services.DrawMarked(this->Shader);
+    services.DrawMarked(
+      this->Shader, vtkSoftShadowServices::CountSampleTaps(run.Last - run.First, set.FilterSize));
     texture->Deactivate();
     services.Receivers->Deactivate();
     first = std::max<size_t>(run.Last, 1);
@@ -156,7 +157,8 @@ void vtkCascadedDrawing::DrawSums(
       weights.size(), run.Layer, maps.GetMapSize(set.Resolution), set.FilterSize);
     vtkShadowTextureArray* texture = run.Texture;
     program->SetUniformi("depthMaps", texture->Activate(services.Window));
-    services.DrawMarked(this->SumsShader);
+    services.DrawMarked(this->SumsShader,
+      vtkSoftShadowServices::CountSampleTaps(run.Last - run.First, set.FilterSize));
     texture->Deactivate();
     services.Receivers->Deactivate();
     first = std::max<size_t>(run.Last, 1);

@@ -142,7 +142,8 @@ bool vtkCascadedRefinement::AddLevel(const vtkSoftShadowServices& services,
     {
       queries->Begin(services.Window, static_cast<size_t>(level));
     }
-    this->RefineShader.Draw();
+    this->RefineShader.Draw(
+      vtkSoftShadowServices::CountSampleTaps(run.Last - run.First, points.FilterSize));
     if (queries && first == 0)
     {
       queries->End();

@@ -6,6 +6,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowBands.h"
 #include "vtkShadowFailures.h"
 #include "vtkSoftShadowsOpenGL.h"
 
@@ -167,14 +168,15 @@ bool vtkShadowShader::Use(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowShader::Draw()
+void vtkShadowShader::Draw(double tapsPerPixel)
 {
   if (vtkShadowFailures::IsFailing())
   {
     return;
   }
   this->VertexArray->Bind();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  vtkShadowBands::Draw(
+    this->Watch.GetWindow(), tapsPerPixel, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
   this->VertexArray->Release();
 }
 

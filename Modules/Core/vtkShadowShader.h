@@ -68,9 +68,12 @@ public:
   /// Number of times the program was built.
   int GetNumberOfBuilds() const { return this->NumberOfBuilds; }
 
-  /// Draws over the viewport at depth 0.5. The program must be in use. Nothing is drawn once
-  /// something could not be had (vtkShadowFailures::IsFailing).
-  void Draw();
+  /**
+   * Draws over the viewport at depth 0.5, in bands if the taps that a pixel takes at most make it long
+   * work (vtkShadowBands). The program must be in use. Nothing is drawn once something could not be had
+   * (vtkShadowFailures::IsFailing).
+   */
+  void Draw(double tapsPerPixel = 0.0);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -143,7 +143,8 @@ void vtkMarchedSoftShadowPass::DrawRays(
   vtkShadowTextureArray* pyramid = services.Pyramid->GetTexture();
   program->SetUniformi("depthMaps", maps->Activate());
   program->SetUniformi("depthPyramid", pyramid->Activate());
-  services.DrawMarked(shader);
+  // A ray takes two taps where a step finds something.
+  services.DrawMarked(shader, 2.0 * rays.GetCount() * this->Steps);
   pyramid->Deactivate();
   maps->Deactivate();
   rays.Deactivate();
@@ -165,7 +166,7 @@ void vtkMarchedSoftShadowPass::DrawFilter(const vtkSoftShadowServices& services,
   program->SetUniformf("weight", static_cast<float>(services.Emitter.Weight));
   vtkShadowTextureArray* source = this->Impl->Unfiltered;
   program->SetUniformi("source", source->Activate());
-  shader.Draw();
+  shader.Draw(4.0 * pattern * pattern);
   source->Deactivate();
   services.Receivers->Deactivate();
 }

@@ -51,14 +51,16 @@ void vtkPercentageCloserSoftShadowPass::Add(const vtkSoftShadowServices& service
   program->SetUniformf("weight", static_cast<float>(services.Emitter.Weight));
   // All taps of a light without extent are the same one.
   const bool hasExtent = services.Emitter.HasExtent();
-  program->SetUniformi("searchWidth", hasExtent ? this->SearchWidth : 1);
-  program->SetUniformi("filterWidth", hasExtent ? this->FilterWidth : 1);
+  const int searchWidth = hasExtent ? this->SearchWidth : 1;
+  const int filterWidth = hasExtent ? this->FilterWidth : 1;
+  program->SetUniformi("searchWidth", searchWidth);
+  program->SetUniformi("filterWidth", filterWidth);
   program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
   // Not read without footprint: any texture of its kind will do.
   vtkShadowTextureArray* pyramid = this->Footprint ? services.Pyramid->GetTexture() : nullptr;
   program->SetUniformi("depthPyramid", pyramid ? pyramid->Activate() : mapsUnit);
   program->SetUniformi("footprint", this->Footprint ? 1 : 0);
-  services.DrawMarked(this->Shader);
+  services.DrawMarked(this->Shader, searchWidth * searchWidth + filterWidth * filterWidth);
   if (pyramid)
   {
     pyramid->Deactivate();

@@ -95,7 +95,8 @@ void vtkSampledSoftShadowPass::Add(const vtkSoftShadowServices& services)
       vtkShadowTextureUnit none;
       program->SetUniformi(
         "depthMaps", texture ? texture->Activate() : none.Reserve(services.Window));
-      services.DrawMarked(this->Impl->Shader);
+      services.DrawMarked(this->Impl->Shader,
+        vtkSoftShadowServices::CountSampleTaps(std::min(MapsPerDraw, last - i), this->FilterSize));
       if (texture)
       {
         texture->Deactivate();

@@ -83,7 +83,7 @@ void vtkScreenSpaceSoftShadowPass::DrawHardShadow(const vtkSoftShadowServices& s
   {
     // Also where pixels were proved.
     this->GetTarget().Draw(services.Window, impl.Hard.GetShader(), { { impl.HardShadows, 1.0f } },
-      services.Marks, [](bool) {});
+      services.Marks, 0.0, [](bool) {});
     vtkScreenSpaceSoftShadowPass::EndStep(services);
   }
 }
@@ -102,8 +102,9 @@ void vtkScreenSpaceSoftShadowPass::DrawPenumbrae(const vtkSoftShadowServices& se
     float mapToScreen[16];
     vtkSeparableStep::MapToScreen(services, services.GetMapView(), mapToScreen);
     program->SetUniformMatrix4x4("mapToScreen", mapToScreen);
-    this->GetTarget().Draw(
-      services.Window, impl.Penumbra.GetShader(), { { impl.Penumbrae, -1.0f } }, services.Marks);
+    const int taps = this->GetSearchTaps(services);
+    this->GetTarget().Draw(services.Window, impl.Penumbra.GetShader(),
+      { { impl.Penumbrae, -1.0f } }, services.Marks, taps * taps);
     vtkScreenSpaceSoftShadowPass::EndStep(services);
   }
 }

@@ -263,7 +263,8 @@ void vtkSeparableSoftShadowPass::DrawRows(const vtkSoftShadowServices& services)
     const auto setPart = [this, program](bool proved)
     { program->SetUniformi("provedByFootprint", proved && this->Footprint ? 1 : 0); };
     this->GetTarget().Draw(services.Window, impl.Rows.GetShader(),
-      { { impl.Points, 0.0f }, { impl.SearchRows, 0.0f } }, services.Marks, setPart);
+      { { impl.Points, 0.0f }, { impl.SearchRows, 0.0f } }, services.Marks,
+      this->GetSearchTaps(services), setPart);
     vtkSeparableSoftShadowPass::EndStep(services);
   }
 }
@@ -281,10 +282,11 @@ void vtkSeparableSoftShadowPass::DrawColumns(const vtkSoftShadowServices& servic
     program->SetUniformf("alpha", static_cast<float>(this->GetLightAlpha(services.Source)));
     vtkShadowTextureArray* shares =
       this->WritesShares(SEARCH_STAGE) ? impl.Reuse.GetShares(SEARCH_STAGE) : nullptr;
+    const int taps = this->GetSearchTaps(services);
     this->GetTarget().Draw(services.Window, impl.Columns.GetShader(),
       { { impl.FilterRows, vtkSeparableStep::ProvedRow },
         { shares, vtkSeparableReuseCount::Uncounted } },
-      services.Marks);
+      services.Marks, taps * taps);
     impl.SearchRows->Deactivate();
     impl.Points->Deactivate();
     vtkSeparableSoftShadowPass::EndStep(services);
@@ -307,13 +309,14 @@ void vtkSeparableSoftShadowPass::DrawVisibility(const vtkSoftShadowServices& ser
     program->SetUniformf("weight", static_cast<float>(services.Emitter.Weight));
     const std::array<float, 3> weights = this->GetRowWeights(services);
     program->SetUniform3f("rowWeights", weights.data());
-    services.DrawMarked(impl.Visibility.GetShader());
+    const int taps = this->GetFilterTaps(services);
+    services.DrawMarked(impl.Visibility.GetShader(), taps * taps);
     if (this->CountReuse)
     {
       this->GetTarget().Draw(services.Window, impl.Visibility.GetShader(),
         { { nullptr, 0.0f },
           { impl.Reuse.GetShares(FILTER_STAGE), vtkSeparableReuseCount::Uncounted } },
-        services.Marks);
+        services.Marks, taps * taps);
     }
     searchShares->Deactivate();
     impl.FilterRows->Deactivate();

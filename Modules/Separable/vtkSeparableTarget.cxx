@@ -46,7 +46,8 @@ void vtkSeparableTarget::Detach(size_t outputs)
 
 //------------------------------------------------------------------------------
 void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader,
-  const std::vector<Output>& outputs, unsigned int marks, const PartSetter& setPart)
+  const std::vector<Output>& outputs, unsigned int marks, double tapsPerPixel,
+  const PartSetter& setPart)
 {
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
@@ -81,7 +82,7 @@ void vtkSeparableTarget::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& sh
       setPart(proved);
     }
     state->vtkglDepthFunc(proved ? GL_GREATER : GL_LESS);
-    shader.Draw();
+    shader.Draw(tapsPerPixel);
   }
   vtkSeparableTarget::Detach(outputs.size());
   state->PopFramebufferBindings();

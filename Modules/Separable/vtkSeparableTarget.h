@@ -41,10 +41,10 @@ public:
    * Clears the outputs and draws the shader, whose program must be in use, into them: at the pixels
    * that are marked for the last step (see vtkSoftShadowContext::Marks), and, if setPart is given, at
    * all others after them. The viewport must be the textures' size. Framebuffers and state are
-   * restored.
+   * restored. By a pixel's taps the work is cut into several draws (vtkShadowBands).
    */
   void Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader,
-    const std::vector<Output>& outputs, unsigned int marks,
+    const std::vector<Output>& outputs, unsigned int marks, double tapsPerPixel = 0.0,
     const PartSetter& setPart = PartSetter());
 
   void ReleaseGraphicsResources(vtkWindow* window);

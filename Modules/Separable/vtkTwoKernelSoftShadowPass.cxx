@@ -60,12 +60,22 @@ vtkShaderProgram* vtkTwoKernelSoftShadowPass::UseStep(
   program->SetUniformi("depthMaps", services.Maps->GetTexture()->Activate());
   program->SetUniformi("depthPyramid", services.Pyramid->GetTexture()->Activate());
   program->SetUniformf("mapLayer", static_cast<float>(services.Layer));
-  // All taps of a light without extent are the same one.
-  const bool hasExtent = services.Emitter.HasExtent();
-  program->SetUniformi("searchWidth", hasExtent ? this->SearchWidth : 1);
-  program->SetUniformi("filterWidth", hasExtent ? this->FilterWidth : 1);
+  program->SetUniformi("searchWidth", this->GetSearchTaps(services));
+  program->SetUniformi("filterWidth", this->GetFilterTaps(services));
   program->SetUniformi("kernelGaussian", this->HasGaussianWeights() ? 1 : 0);
   return program;
+}
+
+//------------------------------------------------------------------------------
+int vtkTwoKernelSoftShadowPass::GetSearchTaps(const vtkSoftShadowServices& services) const
+{
+  return services.Emitter.HasExtent() ? this->SearchWidth : 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTwoKernelSoftShadowPass::GetFilterTaps(const vtkSoftShadowServices& services) const
+{
+  return services.Emitter.HasExtent() ? this->FilterWidth : 1;
 }
 
 //------------------------------------------------------------------------------

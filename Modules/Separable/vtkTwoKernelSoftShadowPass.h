@@ -85,6 +85,12 @@ protected:
   static void EndStep(const vtkSoftShadowServices& services);
   ///@}
 
+  ///@{
+  /// Taps along an edge of the kernels: all taps of a light without extent are the same one.
+  int GetSearchTaps(const vtkSoftShadowServices& services) const;
+  int GetFilterTaps(const vtkSoftShadowServices& services) const;
+  ///@}
+
   /// What steps before the last draw into.
   vtkSeparableTarget& GetTarget() { return *this->Target; }
 

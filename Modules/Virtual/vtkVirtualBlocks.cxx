@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowBands.h"
 #include "vtkShadowDriver.h"
 #include "vtkShadowFailures.h"
 #include "vtkShadowTextureArray.h"
@@ -101,7 +102,7 @@ bool vtkVirtualBlocks::Use(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualBlocks::Draw()
+void vtkVirtualBlocks::Draw(vtkOpenGLRenderWindow* window, double tapsPerPixel)
 {
   if (vtkShadowFailures::IsFailing())
   {
@@ -110,7 +111,11 @@ void vtkVirtualBlocks::Draw()
   this->Program->SetUniformi("blockBounds", this->Bounds->Activate());
   this->Program->SetUniform2f("blockExtent", this->BlockExtent);
   this->VertexArray->Bind();
-  glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * this->Bounds->GetWidth(), this->Bounds->GetHeight());
+  const auto draw = [this]
+  {
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * this->Bounds->GetWidth(), this->Bounds->GetHeight());
+  };
+  vtkShadowBands::Draw(window, tapsPerPixel, draw);
   this->VertexArray->Release();
   this->Bounds->Deactivate();
 }

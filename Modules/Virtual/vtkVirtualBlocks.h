@@ -54,8 +54,8 @@ public:
   /// After Use: takes uniforms tileWindow (low corner and extent in (s, t)) and depthMapSize too.
   vtkShaderProgram* GetProgram() const { return this->Program; }
 
-  /// Draws the blocks that touch the tile whose uniforms were set.
-  void Draw();
+  /// Draws the blocks that touch the tile whose uniforms were set; long work in bands (vtkShadowBands).
+  void Draw(vtkOpenGLRenderWindow* window, double tapsPerPixel);
 
   vtkTypeInt64 GetBytes() const;
   int GetNumberOfBuilds() const;

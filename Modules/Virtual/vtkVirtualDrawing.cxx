@@ -76,6 +76,18 @@ void SetCamera(vtkShaderProgram* program, const vtkSoftShadowServices& services)
   program->SetUniformi("cameraParallel", camera->GetParallelProjection());
 }
 
+// Octaves of distances in which a pixel searches blockers: most need no more.
+constexpr double Octaves = 4.0;
+
+// Taps of a pixel in a tile of so many texels along an edge: its kernel seldom has more than a quarter of
+// the most texels along an edge that it may have.
+double CountTileTaps(int resolution)
+{
+  constexpr double Most = 160.0;
+  const double edge = 0.25 * std::min(static_cast<double>(resolution), Most);
+  return edge * edge;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -120,7 +132,7 @@ bool vtkVirtualDrawing::DrawShapes(const vtkSoftShadowServices& services,
   program->SetUniform4f("texelPolynomial", polynomial);
   program->SetUniformf("quality", static_cast<float>(settings.Quality));
   program->SetUniformf("largestKernel", static_cast<float>(vtkVirtualResolution::LargestKernel));
-  this->ShapeShader->Draw();
+  this->ShapeShader->Draw(Octaves * settings.SearchWidth * settings.SearchWidth);
   maps->Deactivate();
   pyramid->Deactivate();
   services.Receivers->Deactivate();
@@ -163,7 +175,7 @@ void vtkVirtualDrawing::DrawTiles(const vtkSoftShadowServices& services,
       "debugShade", static_cast<float>(std::fmod(0.2 + 0.618033988 * number++, 0.9) + 0.05));
     vtkShadowTextureArray* maps = entry.Maps->GetTexture();
     program->SetUniformi("depthMaps", maps->Activate());
-    this->TileShader->Draw();
+    this->TileShader->Draw(services.Window, CountTileTaps(tile.Resolution));
     maps->Deactivate();
   }
   emitter.Screen->Deactivate();

@@ -7,16 +7,17 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-void vtkSoftShadowPixelCount::Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader)
+void vtkSoftShadowPixelCount::Draw(
+  vtkOpenGLRenderWindow* window, vtkShadowShader& shader, double tapsPerPixel)
 {
   if (!this->CountsNextDraw)
   {
-    shader.Draw();
+    shader.Draw(tapsPerPixel);
     return;
   }
   this->CountsNextDraw = false;
   this->Queries.Begin(window, this->Used++);
-  shader.Draw();
+  shader.Draw(tapsPerPixel);
   this->Queries.End();
 }
 

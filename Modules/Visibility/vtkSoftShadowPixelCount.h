@@ -27,7 +27,7 @@ public:
   /// The next draw is the first over new marks.
   void BeginMarks() { this->CountsNextDraw = true; }
 
-  void Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader);
+  void Draw(vtkOpenGLRenderWindow* window, vtkShadowShader& shader, double tapsPerPixel);
 
   /// Pixels and lights. Waits for the GPU; the window's context is current.
   vtkTypeInt64 GetPixels() const;

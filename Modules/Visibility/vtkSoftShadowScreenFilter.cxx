@@ -108,6 +108,11 @@ std::vector<Step> PlanSteps(const Settings& settings)
   return steps;
 }
 
+double CountTaps(const Step& step)
+{
+  return (2.0 * step.HalfTaps + 1.0) * (2.0 * step.HalfRows + 1.0);
+}
+
 void SetTapUniforms(vtkShaderProgram* program, const Settings& settings, const Step& step)
 {
   program->SetUniform2i("stepAxis", step.Tap);
@@ -317,9 +322,10 @@ void vtkSoftShadowScreenFilter::Internals::DrawStep(const vtkSoftShadowContext& 
   {
     program->SetUniformi("tiles", tiles->Activate());
   }
+  const double taps = isCell ? settings.MaximumWidth : CountTaps(step);
   if (isLast)
   {
-    shader.Draw();
+    shader.Draw(taps);
   }
   else
   {
@@ -329,7 +335,7 @@ void vtkSoftShadowScreenFilter::Internals::DrawStep(const vtkSoftShadowContext& 
     if (this->Textures.Begin(context.Window, next, context.Receivers->GetWidth(),
           context.Receivers->GetHeight(), context.Marks))
     {
-      shader.Draw();
+      shader.Draw(taps);
     }
     source = next;
   }

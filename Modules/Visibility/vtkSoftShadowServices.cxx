@@ -182,6 +182,14 @@ void vtkSoftShadowServices::SetSampleUniforms(vtkShaderProgram* program,
 }
 
 //------------------------------------------------------------------------------
+double vtkSoftShadowServices::CountSampleTaps(size_t count, int filterSize)
+{
+  constexpr double CreaseTaps = 10.0;
+  const double edge = filterSize + 1.0;
+  return static_cast<double>(count) * (edge * edge + CreaseTaps);
+}
+
+//------------------------------------------------------------------------------
 void vtkSoftShadowServices::SetAffineMapUniforms(
   vtkShaderProgram* program, const vtkShadowMapView* views, size_t count) const
 {
@@ -204,9 +212,9 @@ void vtkSoftShadowServices::SetAffineMapUniforms(
 }
 
 //------------------------------------------------------------------------------
-void vtkSoftShadowServices::DrawMarked(vtkShadowShader& shader) const
+void vtkSoftShadowServices::DrawMarked(vtkShadowShader& shader, double tapsPerPixel) const
 {
-  this->Used.Pixels->Draw(this->Window, shader);
+  this->Used.Pixels->Draw(this->Window, shader, tapsPerPixel);
 }
 
 //------------------------------------------------------------------------------

@@ -87,6 +87,9 @@ public:
   void SetSampleUniforms(vtkShaderProgram* program, const vtkShadowMapView* views,
     const float* weights, size_t count, size_t firstLayer, int mapSize, int filterSize) const;
 
+  /// Taps of a pixel with the uniforms above: of a filter and of what tells creases.
+  static double CountSampleTaps(size_t count, int filterSize);
+
   /**
    * Sets viewToBase and baseToMaps of the views, at most VTK_SOFT_SHADOW_SAMPLES_PER_DRAW: a receiver is
    * brought into the first one's map, and from there into each with three rows of a matrix. Points
@@ -99,8 +102,11 @@ public:
   /// View to map coordinates, column-major as OpenGL takes it, composed in double.
   void ViewToMap(const vtkShadowMapView& view, float matrix[16]) const;
 
-  /// Draws the technique's shader over the marked pixels and counts the pixels that it filters.
-  void DrawMarked(vtkShadowShader& shader) const;
+  /**
+   * Draws the technique's shader over the marked pixels and counts the pixels that it filters. Given the
+   * taps that a pixel takes at most, long work is drawn in several draws (vtkShadowBands).
+   */
+  void DrawMarked(vtkShadowShader& shader, double tapsPerPixel = 0.0) const;
 
   /// Whether so many bytes are more than MapMemory.
   bool ExceedsMapMemory(vtkTypeInt64 bytes) const { return bytes > this->MapMemory; }

@@ -25,12 +25,13 @@ std::vector<std::pair<std::string, vtkTypeInt64>> vtkSoftShadowStatistics::GetCo
     { "visibility_frames", this->VisibilityFrames },
     { "progressive_frames", this->ProgressiveFrames }, { "data_frames", this->DataFrames },
     { "maps_baked", this->MapsBaked }, { "texels_drawn", this->TexelsDrawn },
-    { "draw_calls", this->DrawCalls }, { "shader_builds", this->ShaderBuilds },
-    { "mapper_shader_builds", this->MapperShaderBuilds }, { "allocations", this->Allocations },
-    { "pixels_filtered", this->PixelsFiltered }, { "lights_casting", this->LightsCasting },
-    { "lights_lit", this->LightsLit }, { "progressive_points", this->ProgressivePoints },
-    { "casters", this->Casters }, { "mapper_casters", this->MapperCasters },
-    { "triangles", this->Triangles }, { "bytes_held", this->BytesHeld } };
+    { "draw_calls", this->DrawCalls }, { "visibility_draws", this->VisibilityDraws },
+    { "shader_builds", this->ShaderBuilds }, { "mapper_shader_builds", this->MapperShaderBuilds },
+    { "allocations", this->Allocations }, { "pixels_filtered", this->PixelsFiltered },
+    { "lights_casting", this->LightsCasting }, { "lights_lit", this->LightsLit },
+    { "progressive_points", this->ProgressivePoints }, { "casters", this->Casters },
+    { "mapper_casters", this->MapperCasters }, { "triangles", this->Triangles },
+    { "bytes_held", this->BytesHeld } };
   counts.insert(counts.end(), this->TechniqueCounts.begin(), this->TechniqueCounts.end());
   return counts;
 }

@@ -34,6 +34,8 @@ struct VTKRENDERINGSOFTSHADOWSVISIBILITY_EXPORT vtkSoftShadowStatistics
   vtkTypeInt64 TexelsDrawn = 0;
   /// Draw calls into depth maps.
   vtkTypeInt64 DrawCalls = 0;
+  /// Draws over screens and pyramids for visibility; a step's are more than one where its work is long.
+  vtkTypeInt64 VisibilityDraws = 0;
   /// Times a program of a technique was built.
   vtkTypeInt64 ShaderBuilds = 0;
   /// Times a mapper asked the pass for its part of a program.

@@ -4,6 +4,7 @@
 
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkShadowBands.h"
 #include "vtkShadowLimits.h"
 #include "vtkShadowMapFitter.h"
 #include "vtkShadowTextureArray.h"
@@ -139,7 +140,9 @@ void vtkSoftShadowVisibilities::Estimate(Set& set, bool changed)
   this->Maps.Begin(this->Renderer);
   this->Fits.Begin(this->Renderer);
   vtkSoftShadowEstimator::FitViews(this->MakeJob(set), services);
+  const vtkTypeInt64 draws = vtkShadowBands::GetNumberOfDraws();
   this->Estimator.Estimate(this->MakeJob(set), services);
+  this->Statistics.VisibilityDraws += vtkShadowBands::GetNumberOfDraws() - draws;
 }
 
 //------------------------------------------------------------------------------
