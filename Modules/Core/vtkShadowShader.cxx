@@ -110,6 +110,8 @@ vtkShadowShader::Definitions vtkShadowShader::CommonDefinitions()
     { "SOFT_SHADOW_STAGE_RECEIVE", std::to_string(VTK_SOFT_SHADOW_STAGE_RECEIVE) },
     { "SOFT_SHADOW_SURFACE", std::to_string(VTK_SOFT_SHADOW_SURFACE) + ".0" },
     { "SOFT_SHADOW_RECEIVES", std::to_string(VTK_SOFT_SHADOW_RECEIVES) + ".0" },
+    { "SOFT_SHADOW_FIRST_NORMAL", std::to_string(VTK_SOFT_SHADOW_FIRST_NORMAL) + ".0" },
+    { "SOFT_SHADOW_NORMAL_STEPS", std::to_string(VTK_SOFT_SHADOW_NORMAL_STEPS) + ".0" },
     { "SOFT_SHADOW_SAMPLES_PER_DRAW", std::to_string(VTK_SOFT_SHADOW_SAMPLES_PER_DRAW) } };
 }
 

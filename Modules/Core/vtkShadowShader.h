@@ -86,13 +86,24 @@ private:
   vtkShadowContextWatch Watch;
 };
 
-/// Marks in the receivers' position texture (w) and values of the stage uniform.
+/// Marks of receivers and values of the stage uniform.
 enum vtkSoftShadowMarks
 {
   VTK_SOFT_SHADOW_STAGE_SHADE = 0,
   VTK_SOFT_SHADOW_STAGE_RECEIVE = 1,
   VTK_SOFT_SHADOW_SURFACE = 2,
   VTK_SOFT_SHADOW_RECEIVES = 3
+};
+
+/**
+ * In the receivers' position texture w is a mark with a normal: at least FIRST_NORMAL for what receives, at
+ * most its negative for a surface that does not. What is beyond it is the number x + STEPS y of a cell of
+ * the octahedron's map onto a square: an integer that floats hold exactly.
+ */
+enum vtkSoftShadowPackedNormals
+{
+  VTK_SOFT_SHADOW_FIRST_NORMAL = 4,
+  VTK_SOFT_SHADOW_NORMAL_STEPS = 2048
 };
 
 /// Points of the light per draw of the snippet vtkShadowSamples: a matrix each must fit the least

@@ -57,6 +57,14 @@ void ReadColor(vtkTextureObject* texture, std::vector<float>& values)
   unit.Release();
 }
 
+// As the snippet vtkShadowReceiver.
+int MarkOf(float w)
+{
+  return w >= VTK_SOFT_SHADOW_FIRST_NORMAL
+    ? VTK_SOFT_SHADOW_RECEIVES
+    : (w <= -VTK_SOFT_SHADOW_FIRST_NORMAL ? VTK_SOFT_SHADOW_SURFACE : 0);
+}
+
 std::vector<float> ReadColor(vtkTextureObject* texture)
 {
   std::vector<float> values;
@@ -198,7 +206,8 @@ bool vtkShadowReceivers::HasSmooth()
     for (size_t i = 3; i < surfaces.size() && this->FoundSmooth == 0; i += 4)
     {
       // What is unlit writes anything.
-      this->FoundSmooth = positions[i] == VTK_SOFT_SHADOW_RECEIVES && surfaces[i] != 0.0f ? 1 : 0;
+      this->FoundSmooth =
+        MarkOf(positions[i]) == VTK_SOFT_SHADOW_RECEIVES && surfaces[i] != 0.0f ? 1 : 0;
     }
   }
   return this->FoundSmooth == 1;
@@ -208,6 +217,10 @@ bool vtkShadowReceivers::HasSmooth()
 void vtkShadowReceivers::Read(std::vector<float>& positions, std::vector<float>& normals)
 {
   ReadColor(this->Positions, positions);
+  for (size_t i = 3; i < positions.size(); i += 4)
+  {
+    positions[i] = static_cast<float>(MarkOf(positions[i]));
+  }
   if (!this->Smooth)
   {
     ReadColor(this->Normals, normals);
@@ -238,9 +251,8 @@ vtkSmartPointer<vtkImageData> vtkShadowReceivers::ReadDepth()
   const std::vector<float> positions = ReadColor(this->Positions);
   for (size_t i = 0; i < count; ++i)
   {
-    const float mark = positions[4 * i + 3];
-    const bool surface = mark == VTK_SOFT_SHADOW_RECEIVES || mark == VTK_SOFT_SHADOW_SURFACE;
-    values[i] = surface ? -positions[4 * i + 2] : std::numeric_limits<float>::quiet_NaN();
+    values[i] = MarkOf(positions[4 * i + 3]) != 0 ? -positions[4 * i + 2]
+                                                  : std::numeric_limits<float>::quiet_NaN();
   }
   return image;
 }

@@ -50,9 +50,9 @@
     vec3 softShadowNormal = cross(normalize(softShadowX), normalize(softShadowY));
 #endif
     float softShadowLength = length(softShadowNormal);
-    gl_FragData[0] = vec4(softShadowPosition, softShadowReceives);
     softShadowNormal = softShadowLength > 0.0 ? softShadowNormal / softShadowLength
                                               : vec3(0.0, 0.0, 1.0);
+    gl_FragData[0] = vec4(softShadowPosition, softShadowMark(softShadowNormal));
     // Along a line or in a point all steps are parallel or none, but for rounding.
     gl_FragData[1] = vec4(softShadowNormal, softShadowLength > 1e-3 ? softShadowLargestRise : -1.0);
 #if defined(SOFT_SHADOW_BEND) && !defined(SOFT_SHADOW_MOVED_DEPTH)

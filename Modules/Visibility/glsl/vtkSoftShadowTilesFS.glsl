@@ -23,8 +23,7 @@ uniform bool commonOnly; // the product of the halves' changes
 float inverseDepth(ivec2 pixel)
 {
   vec4 position = texelFetch(receiverPosition, pixel, 0);
-  bool isSurface = position.w == SOFT_SHADOW_RECEIVES || position.w == SOFT_SHADOW_SURFACE;
-  return isSurface ? -1.0 / position.z : 0.0;
+  return markOf(position) == 0.0 ? 0.0 : -1.0 / position.z;
 }
 
 // Whether 1 / depth breaks along the line through the pixel and its neighbours to both sides.
