@@ -38,8 +38,9 @@ void vtkNearestBlockerSoftShadowPass::Add(const vtkSoftShadowServices& services)
   program->SetUniformf("mapLayer", static_cast<float>(services.Layer));
   program->SetUniformf("weight", static_cast<float>(services.Emitter.Weight));
   program->SetUniformi("kernelGaussian", 0);
-  program->SetUniformi("filterWidth", services.Emitter.HasExtent() ? this->FilterWidth : 1);
-  services.DrawMarked(this->Shader); // only pixels that are not proved lit or blocked
+  const int taps = services.Emitter.HasExtent() ? this->FilterWidth : 1;
+  program->SetUniformi("filterWidth", taps);
+  services.DrawMarked(this->Shader, taps * taps); // only pixels not proved lit or blocked
   texture->Deactivate();
   services.Receivers->Deactivate();
 }
