@@ -16,9 +16,9 @@ using Point = vtkShadowCasterClusters::Point;
 using Cluster = vtkShadowCasterClusters::Cluster;
 using Triangles = std::vector<std::uint32_t>; // numbers of triangles
 
-constexpr double FLAT_TOLERANCE = 1e-6;   // of the mesh's extent
-constexpr double SMALL_ENOUGH = 0.5;      // of the diagonal
-constexpr std::size_t MOST_CLUSTERS = 32; // of a mesh
+constexpr double FLAT_PART_TOLERANCE = 1e-6; // of the mesh's extent
+constexpr double SMALL_ENOUGH = 0.5;         // of the diagonal
+constexpr std::size_t MOST_CLUSTERS = 32;    // of a mesh
 constexpr int BINS = 16;
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
@@ -252,7 +252,7 @@ bool SplitPlane(const Mesh& mesh, const Triangles& whole, double diagonal,
   std::vector<Cluster>& clusters, std::vector<Box>& boxes)
 {
   Plane plane;
-  const double tolerance = FLAT_TOLERANCE * diagonal;
+  const double tolerance = FLAT_PART_TOLERANCE * diagonal;
   if (!FindMainPlane(mesh, static_cast<std::uint32_t>(whole.size()), tolerance, plane))
   {
     return false;

@@ -12,10 +12,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr double StepsPerOctave = 8.0;  // of the window's edge
-constexpr double WidestAngle = 85.0;    // degrees; the fitter's limit too
-constexpr double NarrowestShare = 1e-6; // of the fit: no window is narrower
-constexpr double NearestShare = 1e-3;   // of the near distance: nothing nearer bounds a window
+constexpr double EdgeStepsPerOctave = 8.0; // of the window's edge
+constexpr double WidestAngle = 85.0;       // degrees; the fitter's limit too
+constexpr double NarrowestShare = 1e-6;    // of the fit: no window is narrower
+constexpr double NearestShare = 1e-3;      // of the near distance: nothing nearer bounds a window
 
 struct Range
 {
@@ -88,8 +88,8 @@ bool CutEdge(const Range& range, int resolution, int border, double& low, double
   const double wanted = std::max(needed.High - needed.Low, NarrowestShare * fitted) /
     (1.0 - 2.0 * (border + 1.0) / resolution);
   // In steps from the fit's own edge, so that neither the scene's scale nor its place matters.
-  const double steps = std::floor(StepsPerOctave * std::log2(fitted / wanted));
-  const double edge = fitted * std::exp2(-std::max(steps, 0.0) / StepsPerOctave);
+  const double steps = std::floor(EdgeStepsPerOctave * std::log2(fitted / wanted));
+  const double edge = fitted * std::exp2(-std::max(steps, 0.0) / EdgeStepsPerOctave);
   const double texel = edge / resolution;
   if (range.Low - border * texel > high || range.High + border * texel < low)
   {

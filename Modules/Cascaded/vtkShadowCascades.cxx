@@ -15,8 +15,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr double StepsPerOctave = 4.0;  // of the range's ends
-constexpr double ParallelSteps = 8.0;   // of the range's length, at least
+constexpr double DepthStepsPerOctave = 4.0; // of the range's ends
+constexpr double ParallelSteps = 8.0;       // of the range's length, at least
 constexpr double FarAway = 1e30;        // farther than any depth; its reciprocal is a normal float
 constexpr double NarrowestBand = 1e-6;  // of the depth: the shader divides by it
 constexpr double DepthTolerance = 1e-5; // of the depth: a receiver's depth is a float
@@ -240,9 +240,9 @@ Interval vtkShadowCascades::Round(const std::vector<Interval>& depths, bool para
       length > 0.0 ? std::exp2(std::floor(std::log2(length / ParallelSteps))) : 1.0;
     return { step * std::floor(range.first / step), step * std::ceil(range.second / step) };
   }
-  const auto steps = [unit](double depth) { return StepsPerOctave * std::log2(depth / unit); };
-  return { unit * std::exp2(std::floor(steps(range.first)) / StepsPerOctave),
-    unit * std::exp2(std::ceil(steps(range.second)) / StepsPerOctave) };
+  const auto steps = [unit](double depth) { return DepthStepsPerOctave * std::log2(depth / unit); };
+  return { unit * std::exp2(std::floor(steps(range.first)) / DepthStepsPerOctave),
+    unit * std::exp2(std::ceil(steps(range.second)) / DepthStepsPerOctave) };
 }
 
 //------------------------------------------------------------------------------

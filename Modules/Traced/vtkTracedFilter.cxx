@@ -13,7 +13,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-constexpr float Infinity = std::numeric_limits<float>::infinity();
+constexpr float Unbounded = std::numeric_limits<float>::infinity();
 constexpr float Flattest =
   0.2f; // sine of the angle between a surface and the way to a neighbour on it
 constexpr float LeastCosine = 0.9f;   // of their normals
@@ -67,7 +67,7 @@ float vtkTracedFilter::FindOwnWidth(int x, int y) const
   const vtkTracedPixel& sums = this->Pixels[pixel];
   if (sums.Hits == 0.0f)
   {
-    return Infinity;
+    return Unbounded;
   }
   // The pixel's own size, where it is the longest.
   float footprint = 0.0f;
@@ -98,7 +98,7 @@ float vtkTracedFilter::FindOwnWidth(int x, int y) const
 float vtkTracedFilter::FindWidth(int x, int y, const std::vector<float>& widths) const
 {
   const Window window = this->GetWindow(x, y, Reach);
-  float width = Infinity;
+  float width = Unbounded;
   for (int row = window.Bottom; row <= window.Top; ++row)
   {
     for (int column = window.Left; column <= window.Right; ++column)

@@ -32,13 +32,13 @@ const int Height = 240;
 
 // The ray tracer's own error adds 0.002 to the error of the picture, and less than 0.0003 to one of
 // 0.008.
-const int RaysPerAxis = 16;
+const int TruthRaysPerAxis = 16;
 
 class Qualities : public testing::TestWithParam<std::string>
 {
 protected:
   Qualities()
-    : Truth(softshadows::ReferenceTracer(Width, Height, RaysPerAxis).Trace(this->Scene.Renderer))
+    : Truth(softshadows::ReferenceTracer(Width, Height, TruthRaysPerAxis).Trace(this->Scene.Renderer))
   {
   }
 

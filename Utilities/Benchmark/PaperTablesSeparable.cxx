@@ -11,11 +11,11 @@ namespace softshadows
 namespace
 {
 
-constexpr const char* Scene = "foliage";
+constexpr const char* SeparableScene = "foliage";
 constexpr const char* Thresholds[] = { "0.01", "0.10", "0.15", "0.20", "0.50" };
 constexpr const char* Widest = " search_width=29 filter_width=41";
 /// The published 0.04 is a share of the scene's size; the plant is about 2 units wide, its lamp 0.6.
-constexpr double SmallLight = 0.16 / 0.6;
+constexpr double SeparableLight = 0.16 / 0.6;
 
 //--------------------------------------------------------------------------------------------------
 std::string Shared(const std::string& threshold)
@@ -33,7 +33,7 @@ PaperTable MakeStepTable(int large)
     "Kernels 29/41. The published step 1 is the rows of the search, step 2 its columns with the "
     "rows "
     "of the blur, step 3 the columns of the blur.",
-    Scene, SmallLight, 1280, 960 };
+    SeparableScene, SeparableLight, 1280, 960 };
   table.HasTruth = false;
   for (const char* threshold : Thresholds)
   {
@@ -72,8 +72,8 @@ PaperTable MakeSpeedTable()
   const std::string kernels[] = { Widest, " search_width=11 filter_width=21",
     " search_width=7 filter_width=15" };
   const std::string names[] = { " 29/41", " 11/21", " 7/15" };
-  PaperTable table{ "Buades et al. 2015, table 4: frames per second over kernels", "", Scene,
-    SmallLight, 1280, 960 };
+  PaperTable table{ "Buades et al. 2015, table 4: frames per second over kernels", "",
+    SeparableScene, SeparableLight, 1280, 960 };
   table.HasTruth = false;
   for (int k = 0; k < 3; ++k)
   {
@@ -116,7 +116,7 @@ PaperTable MakeReuseTable(int kernel)
     "it: the RMSE of the visibility beside brute force with the same taps. Ratios to alpha = beta "
     "= "
     "0.01.",
-    Scene, SmallLight, 640, 480 };
+    SeparableScene, SeparableLight, 640, 480 };
   table.HasTruth = false;
   table.Rows.push_back({ "PCSS, brute force", ParseChoice("pcss" + options) });
   std::vector<double> column = { std::numeric_limits<double>::quiet_NaN() };
@@ -138,8 +138,8 @@ PaperTable MakeErrorTable(int large)
   const std::string options = std::string(Widest) + " weights=gaussian map_size=1024";
   PaperTable table{ std::string("Buades et al. 2015, table 6: errors, light size ") +
       (large ? "0.10" : "0.04"),
-    "The picture is compared as in the paper; the visibility alone is the stricter measure.", Scene,
-    SmallLight * (large ? 2.5 : 1.0), 640, 480, true };
+    "The picture is compared as in the paper; the visibility alone is the stricter measure.",
+    SeparableScene, SeparableLight * (large ? 2.5 : 1.0), 640, 480, true };
   table.Rows.push_back({ "PCSS", ParseChoice("pcss" + options) });
   for (const char* threshold : Thresholds)
   {

@@ -10,7 +10,7 @@ namespace softshadows
 namespace
 {
 
-constexpr const char* Scene = "foliage";
+constexpr const char* VirtualScene = "foliage";
 constexpr const char* Plant = "plant";
 /// Published light sizes 10 and 80: a sharp and a wide light, eight times apart.
 constexpr double SmallLight = 0.25;
@@ -28,7 +28,7 @@ PaperTable MakeStepTable()
     "Published are the scenes of figures 1 and 8; ours, the plant, is held against the first. "
     "Compare "
     "the shares of the frame.",
-    Scene, SmallLight, Width, Height };
+    VirtualScene, SmallLight, Width, Height };
   table.HasTruth = false;
   table.Frames = 3;
   table.Rows = { { "quality 1, as published", ParseChoice("pvssm quality=1") },
@@ -65,8 +65,8 @@ std::vector<PaperColumn> MakeTimeColumns(const std::vector<double>& published)
 PaperTable MakeAdaptiveTable(bool large)
 {
   PaperTable table{ std::string("Shen et al. 2011, table 2: light size ") + (large ? "80" : "10"),
-    "Published memory: adaptive 68, fixed 64 MB.", Scene, large ? LargeLight : SmallLight, Width,
-    Height };
+    "Published memory: adaptive 68, fixed 64 MB.", VirtualScene, large ? LargeLight : SmallLight,
+    Width, Height };
   table.HasTruth = false;
   table.Frames = Frames;
   table.Rows = { { "one map of 4096", ParseChoice("pvssm adaptive=off map_size=4096") },
@@ -83,8 +83,8 @@ PaperTable MakeAdaptiveTable(bool large)
 // Its last row, which does not depend on the light's size.
 PaperTable MakeSampledTable()
 {
-  PaperTable table{ "Shen et al. 2011, table 2: 64 hard maps, light size 10", "", Scene, SmallLight,
-    Width, Height };
+  PaperTable table{ "Shen et al. 2011, table 2: 64 hard maps, light size 10", "", VirtualScene,
+    SmallLight, Width, Height };
   table.HasTruth = false;
   table.Frames = Frames;
   table.Rows = { { "one map of 4096", ParseChoice("pvssm adaptive=off map_size=4096") },
@@ -98,8 +98,8 @@ PaperTable MakeSampledTable()
 // Figure 10: a soft light needs fewer texels than a hard one.
 PaperTable MakeSoftTable()
 {
-  PaperTable table{ "Shen et al. 2011, figure 10: soft over hard, 12 000 triangles", "", Scene, 1.0,
-    Width, Height };
+  PaperTable table{ "Shen et al. 2011, figure 10: soft over hard, 12 000 triangles", "",
+    VirtualScene, 1.0, Width, Height };
   table.HasTruth = false;
   table.Frames = Frames;
   table.Rows = { { "hard", ParseChoice("pvssm quality=1 light_scale=0") },

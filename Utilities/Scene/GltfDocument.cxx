@@ -3,6 +3,8 @@
 
 #include "GltfDocument.h"
 
+#include "GltfMessages.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -25,20 +27,10 @@ constexpr std::int64_t LargestWholeNumber = std::int64_t(1) << 53;
 /// Rows of an accessor without data, which nothing in the file bounds.
 constexpr std::int64_t MostZeros = std::int64_t(1) << 24;
 
-std::string NameOf(const std::string& list, std::int64_t index)
-{
-  return list + "[" + std::to_string(index) + "]";
-}
-
 std::string Shortened(const std::string& text)
 {
   constexpr std::size_t longest = 80;
   return text.size() > longest ? text.substr(0, longest) + "..." : text;
-}
-
-[[noreturn]] void Damaged(const std::string& message)
-{
-  throw std::runtime_error("damaged: " + message);
 }
 
 /// glTF is little-endian.
@@ -82,7 +74,7 @@ std::string DecodeBase64(const std::string& text, std::size_t first, const std::
     const int digit = Base64Digit(text[i]);
     if (digit < 0)
     {
-      Damaged("the data of " + name + " is not base64");
+      ThrowDamaged("the data of " + name + " is not base64");
     }
     bits = (bits << 6) | static_cast<std::uint32_t>(digit);
     count += 6;
@@ -156,7 +148,7 @@ const ComponentKind& KindOf(std::int64_t type, const std::string& name)
     [type](const ComponentKind& candidate) { return candidate.Type == type; });
   if (kind == std::end(kinds))
   {
-    Damaged(name + " has the unknown component type " + std::to_string(type));
+    ThrowDamaged(name + " has the unknown component type " + std::to_string(type));
   }
   return *kind;
 }
@@ -168,7 +160,7 @@ int ComponentsOf(const std::string& type, const std::string& name)
   const auto found = components.find(type);
   if (found == components.end())
   {
-    Damaged(name + " is of the type '" + Shortened(type) + "', which cannot be here");
+    ThrowDamaged(name + " is of the type '" + Shortened(type) + "', which cannot be here");
   }
   return found->second;
 }
@@ -226,7 +218,7 @@ void GltfDocument::SplitContainer(const std::string& bytes, std::string& text)
     at += chunkHeaderSize;
     if (size > length - at)
     {
-      Damaged("a chunk is longer than the file");
+      ThrowDamaged("a chunk is longer than the file");
     }
     if (kind == jsonChunk && text.empty())
     {
@@ -241,7 +233,7 @@ void GltfDocument::SplitContainer(const std::string& bytes, std::string& text)
   }
   if (text.empty())
   {
-    Damaged("it has no JSON chunk");
+    ThrowDamaged("it has no JSON chunk");
   }
 }
 
@@ -252,7 +244,7 @@ void GltfDocument::Parse(const std::string& text)
   {
     if (depth > DeepestNesting)
     {
-      Damaged("its JSON is nested too deeply");
+      ThrowDamaged("its JSON is nested too deeply");
     }
     return true;
   };
@@ -286,7 +278,7 @@ std::int64_t GltfDocument::WholeNumber(
   if (!(value >= 0.0) || value > static_cast<double>(LargestWholeNumber) ||
     value != std::floor(value))
   {
-    Damaged("'" + std::string(key) + "' of " + name + " is not a whole number");
+    ThrowDamaged("'" + std::string(key) + "' of " + name + " is not a whole number");
   }
   return static_cast<std::int64_t>(value);
 }
@@ -301,7 +293,7 @@ std::string GltfDocument::Text(const json& element, const std::string& name, con
   }
   if (!found->is_string())
   {
-    Damaged("'" + std::string(key) + "' of " + name + " is not a text");
+    ThrowDamaged("'" + std::string(key) + "' of " + name + " is not a text");
   }
   return found->get<std::string>();
 }
@@ -313,7 +305,7 @@ const json& GltfDocument::List(const json& element, std::string_view name, const
   const auto found = element.find(key);
   if (found != element.end() && !found->is_array())
   {
-    Damaged("'" + std::string(key) + "' of " + std::string(name) + " is not a list");
+    ThrowDamaged("'" + std::string(key) + "' of " + std::string(name) + " is not a list");
   }
   return found == element.end() ? none : *found;
 }
@@ -325,7 +317,7 @@ const json& GltfDocument::Object(const json& element, std::string_view name, con
   const auto found = element.find(key);
   if (found != element.end() && !found->is_object())
   {
-    Damaged("'" + std::string(key) + "' of " + std::string(name) + " is not an object");
+    ThrowDamaged("'" + std::string(key) + "' of " + std::string(name) + " is not an object");
   }
   return found == element.end() ? none : *found;
 }
@@ -342,7 +334,7 @@ bool GltfDocument::Numbers(
   if (list.size() != static_cast<std::size_t>(count) ||
     !std::all_of(list.begin(), list.end(), [](const json& item) { return item.is_number(); }))
   {
-    Damaged(
+    ThrowDamaged(
       "'" + std::string(key) + "' of " + name + " is not " + std::to_string(count) + " numbers");
   }
   std::transform(
@@ -362,13 +354,13 @@ const json& GltfDocument::Get(const std::string& list, std::int64_t index) const
   const json& elements = List(this->Json, "the file", list.c_str());
   if (index < 0 || index >= static_cast<std::int64_t>(elements.size()))
   {
-    Damaged(
-      NameOf(list, index) + " is asked for, but there are " + std::to_string(elements.size()));
+    ThrowDamaged(NameOfElement(list, index) + " is asked for, but there are " +
+      std::to_string(elements.size()));
   }
   const json& element = elements[static_cast<std::size_t>(index)];
   if (!element.is_object())
   {
-    Damaged(NameOf(list, index) + " is not an object");
+    ThrowDamaged(NameOfElement(list, index) + " is not an object");
   }
   return element;
 }
@@ -381,7 +373,7 @@ const std::string& GltfDocument::GetBuffer(std::int64_t index)
   {
     return read->second;
   }
-  const std::string name = NameOf("buffers", index);
+  const std::string name = NameOfElement("buffers", index);
   const json& buffer = this->Get("buffers", index);
   const std::string uri = Text(buffer, name, "uri");
   std::string bytes;
@@ -395,7 +387,7 @@ const std::string& GltfDocument::GetBuffer(std::int64_t index)
   }
   else
   {
-    Damaged(name + " has no data");
+    ThrowDamaged(name + " has no data");
   }
   const std::int64_t length = WholeNumber(buffer, name, "byteLength", 0);
   if (length > static_cast<std::int64_t>(bytes.size()))
@@ -416,7 +408,7 @@ std::string GltfDocument::ReadFileOfBuffer(const std::string& uri, const std::st
     const std::size_t place = uri.find(mark);
     if (place == std::string::npos || place > uri.find(','))
     {
-      Damaged("the data of " + name + " is not base64");
+      ThrowDamaged("the data of " + name + " is not base64");
     }
     return DecodeBase64(uri, place + mark.size(), name);
   }
@@ -446,13 +438,13 @@ std::string GltfDocument::ReadFileOfBuffer(const std::string& uri, const std::st
 //--------------------------------------------------------------------------------------------------
 std::int64_t GltfDocument::CountRows(std::int64_t index) const
 {
-  return WholeNumber(this->Get("accessors", index), NameOf("accessors", index), "count", 0);
+  return WholeNumber(this->Get("accessors", index), NameOfElement("accessors", index), "count", 0);
 }
 
 //--------------------------------------------------------------------------------------------------
 GltfNumbers GltfDocument::ReadAccessor(std::int64_t index, bool normalize)
 {
-  const std::string name = NameOf("accessors", index);
+  const std::string name = NameOfElement("accessors", index);
   const json& accessor = this->Get("accessors", index);
   const auto normalized = accessor.find("normalized");
   Layout layout;
@@ -476,7 +468,7 @@ GltfNumbers GltfDocument::ReadAccessor(std::int64_t index, bool normalize)
   }
   else
   {
-    Damaged(name + " has no data for " + std::to_string(layout.Count) + " elements");
+    ThrowDamaged(name + " has no data for " + std::to_string(layout.Count) + " elements");
   }
   const json& sparse = Object(accessor, name, "sparse");
   if (!sparse.empty())
@@ -489,14 +481,14 @@ GltfNumbers GltfDocument::ReadAccessor(std::int64_t index, bool normalize)
 //--------------------------------------------------------------------------------------------------
 std::vector<double> GltfDocument::ReadView(const Layout& layout, const std::string& name)
 {
-  const std::string viewName = NameOf("bufferViews", layout.View);
+  const std::string viewName = NameOfElement("bufferViews", layout.View);
   const json& view = this->Get("bufferViews", layout.View);
   const std::string& buffer = this->GetBuffer(WholeNumber(view, viewName, "buffer", -1));
   const std::int64_t viewStart = WholeNumber(view, viewName, "byteOffset", 0);
   const std::int64_t viewLength = WholeNumber(view, viewName, "byteLength", 0);
   if (viewStart + viewLength > static_cast<std::int64_t>(buffer.size()))
   {
-    Damaged(viewName + " ends outside of its buffer");
+    ThrowDamaged(viewName + " ends outside of its buffer");
   }
   const ComponentKind& kind = KindOf(layout.ComponentType, name);
   const std::int64_t rowSize = std::int64_t(kind.Size) * layout.Components;
@@ -504,7 +496,7 @@ std::vector<double> GltfDocument::ReadView(const Layout& layout, const std::stri
     layout.MayHaveStride ? WholeNumber(view, viewName, "byteStride", rowSize) : rowSize;
   if (stride < rowSize)
   {
-    Damaged("byteStride of " + viewName + " is less than a row of " + name);
+    ThrowDamaged("byteStride of " + viewName + " is less than a row of " + name);
   }
   if (layout.Count == 0)
   {
@@ -514,7 +506,7 @@ std::vector<double> GltfDocument::ReadView(const Layout& layout, const std::stri
   const std::int64_t room = viewLength - layout.Offset - rowSize;
   if (room < 0 || layout.Count - 1 > room / stride)
   {
-    Damaged(name + " ends outside of " + viewName);
+    ThrowDamaged(name + " ends outside of " + viewName);
   }
   std::vector<double> values;
   values.reserve(static_cast<std::size_t>(layout.Count * layout.Components));
@@ -556,7 +548,7 @@ void GltfDocument::ReplaceSparse(
   {
     if (!(places[i] >= 0.0 && places[i] < static_cast<double>(count)))
     {
-      Damaged(name + " replaces an element that does not exist");
+      ThrowDamaged(name + " replaces an element that does not exist");
     }
     std::copy_n(replacements.begin() + static_cast<std::ptrdiff_t>(i) * layout.Components,
       layout.Components,

@@ -4,6 +4,7 @@
 #include "GltfFile.h"
 
 #include "GltfDocument.h"
+#include "GltfMessages.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
@@ -42,16 +43,6 @@ enum Mode : std::int64_t
   TriangleFan = 6
 };
 
-std::string NameOf(const std::string& list, std::int64_t index)
-{
-  return list + "[" + std::to_string(index) + "]";
-}
-
-[[noreturn]] void Damaged(const std::string& message)
-{
-  throw std::runtime_error("damaged: " + message);
-}
-
 unsigned char ToSrgbByte(double linear)
 {
   const double value = std::min(std::max(linear, 0.0), 1.0);
@@ -78,7 +69,7 @@ Matrix MatrixOf(const json& node, const std::string& name)
   const double length = std::hypot(std::hypot(turn[0], turn[1]), std::hypot(turn[2], turn[3]));
   if (!(length > 0.0))
   {
-    Damaged("'rotation' of " + name + " is no rotation");
+    ThrowDamaged("'rotation' of " + name + " is no rotation");
   }
   const double quaternion[4] = { turn[3] / length, turn[0] / length, turn[1] / length,
     turn[2] / length };
@@ -177,14 +168,15 @@ private:
       const std::int64_t scene =
         GltfDocument::WholeNumber(this->Document.GetJson(), "the file", "scene", 0);
       this->Leave("other scenes", scenes - 1);
-      return this->IndicesIn(this->Document.Get("scenes", scene), NameOf("scenes", scene), "nodes");
+      return this->IndicesIn(
+        this->Document.Get("scenes", scene), NameOfElement("scenes", scene), "nodes");
     }
     const std::int64_t nodes = this->Document.CountOf("nodes");
     std::set<std::int64_t> children;
     for (std::int64_t i = 0; i < nodes; ++i)
     {
       const auto of =
-        this->IndicesIn(this->Document.Get("nodes", i), NameOf("nodes", i), "children");
+        this->IndicesIn(this->Document.Get("nodes", i), NameOfElement("nodes", i), "children");
       children.insert(of.begin(), of.end());
     }
     std::vector<std::int64_t> roots;
@@ -197,7 +189,7 @@ private:
     }
     if (roots.empty() && nodes > 0)
     {
-      Damaged("every node is the child of another");
+      ThrowDamaged("every node is the child of another");
     }
     return roots;
   }
@@ -215,11 +207,11 @@ private:
     {
       const auto [index, parent] = open.back();
       open.pop_back();
-      const std::string name = NameOf("nodes", index);
+      const std::string name = NameOfElement("nodes", index);
       const json& node = this->Document.Get("nodes", index);
       if (!seen.insert(index).second)
       {
-        Damaged(name + " is its own ancestor, or has two parents");
+        ThrowDamaged(name + " is its own ancestor, or has two parents");
       }
       const Matrix own = MatrixOf(node, name);
       Matrix toWorld;
@@ -251,12 +243,14 @@ private:
     std::vector<Piece>& pieces = this->Meshes[index];
     const json& mesh = this->Document.Get("meshes", index);
     std::int64_t number = 0;
-    for (const json& primitive : GltfDocument::List(mesh, NameOf("meshes", index), "primitives"))
+    for (const json& primitive :
+      GltfDocument::List(mesh, NameOfElement("meshes", index), "primitives"))
     {
-      const std::string name = NameOf("meshes", index) + "." + NameOf("primitives", number++);
+      const std::string name =
+        NameOfElement("meshes", index) + "." + NameOfElement("primitives", number++);
       if (!primitive.is_object())
       {
-        Damaged(name + " is not an object");
+        ThrowDamaged(name + " is not an object");
       }
       if (!this->IsLeftOut(primitive, name))
       {
@@ -286,14 +280,14 @@ private:
     {
       const std::int64_t view = index < 0
         ? -1
-        : GltfDocument::WholeNumber(
-            this->Document.Get("accessors", index), NameOf("accessors", index), "bufferView", -1);
+        : GltfDocument::WholeNumber(this->Document.Get("accessors", index),
+            NameOfElement("accessors", index), "bufferView", -1);
       if (view < 0)
       {
         continue;
       }
       const json& extensions = GltfDocument::Object(
-        this->Document.Get("bufferViews", view), NameOf("bufferViews", view), "extensions");
+        this->Document.Get("bufferViews", view), NameOfElement("bufferViews", view), "extensions");
       for (const char* ofViews : { "EXT_meshopt_compression", "KHR_meshopt_compression" })
       {
         if (extensions.count(ofViews) > 0)
@@ -347,7 +341,7 @@ private:
       case Mode::TriangleFan:
         return false;
       default:
-        Damaged("'mode' of " + name + " is " + std::to_string(mode) + ", which is none");
+        ThrowDamaged("'mode' of " + name + " is " + std::to_string(mode) + ", which is none");
     }
   }
 
@@ -363,12 +357,12 @@ private:
     GltfNumbers numbers = this->Document.ReadAccessor(index, normalize);
     if (numbers.Components != 3 && !(normalize && numbers.Components == 4))
     {
-      Damaged(std::string(key) + " of " + name + " has " + std::to_string(numbers.Components) +
+      ThrowDamaged(std::string(key) + " of " + name + " has " + std::to_string(numbers.Components) +
         " components");
     }
     if (count >= 0 && numbers.Count != count)
     {
-      Damaged(std::string(key) + " of " + name + " has " + std::to_string(numbers.Count) +
+      ThrowDamaged(std::string(key) + " of " + name + " has " + std::to_string(numbers.Count) +
         " elements for " + std::to_string(count) + " points");
     }
     return numbers;
@@ -403,7 +397,7 @@ private:
       {
         if (!(corner >= 0.0 && corner < static_cast<double>(count)))
         {
-          Damaged(name + " has a corner that does not exist, " +
+          ThrowDamaged(name + " has a corner that does not exist, " +
             std::to_string(static_cast<std::int64_t>(
               std::isfinite(corner) && std::abs(corner) < 1e10 ? corner : -1.0)) +
             " of " + std::to_string(count));
@@ -450,7 +444,7 @@ private:
     {
       return;
     }
-    const std::string materialName = NameOf("materials", index);
+    const std::string materialName = NameOfElement("materials", index);
     const json& material = this->Document.Get("materials", index);
     piece.HasMaterial = true;
     GltfDocument::Numbers(GltfDocument::Object(material, materialName, "pbrMetallicRoughness"),

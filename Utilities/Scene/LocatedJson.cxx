@@ -15,7 +15,7 @@ namespace softshadows
 namespace
 {
 
-constexpr std::size_t DeepestNesting = 64;
+constexpr std::size_t DeepestJson = 64;
 constexpr std::size_t MostKeys = 256; // in one object: they are searched one by one
 
 /// How far the reader has come. JSON's tokens stand on one line each, so the line of the last
@@ -202,10 +202,10 @@ private:
 
   bool Open(LocatedJson::Kind kind)
   {
-    if (this->Path.size() >= DeepestNesting)
+    if (this->Path.size() >= DeepestJson)
     {
       throw SceneError({ this->FileName, this->Passed.TokenLine, "" },
-        "lists and objects nested more than " + std::to_string(DeepestNesting) + " deep");
+        "lists and objects nested more than " + std::to_string(DeepestJson) + " deep");
     }
     LocatedJson node;
     node.Is = kind;

@@ -3,7 +3,7 @@
 # Usage: check-drivers.sh [option...] [driver...]
 #   Drivers: llvmpipe-128, softpipe, gl32 (llvmpipe with nothing beyond OpenGL 3.2), softpipe-gl32; all of
 #   them if none is named. And zink, over a Vulkan driver that draws in software (Debian:
-#   mesa-vulkan-drivers), where the machine has Mesa 23.1 or later; older ones need a screen with DRI3.
+#   mesa-vulkan-drivers), without a screen: with VTK 9.4 or later and Mesa 23.1 or later (Debian testing).
 #   --build DIR       the folder with bin/softshadow (default: build/test)
 #   --tool FILE       that program, wherever it is
 #   --small           one scene and small pictures, and no closed forms: less than a minute

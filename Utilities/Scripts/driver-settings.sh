@@ -27,7 +27,8 @@ with_driver() {
         llvmpipe-256 | gl32) ;;
         llvmpipe-128) settings=(GALLIUM_DRIVER=llvmpipe LP_NATIVE_VECTOR_WIDTH=128) ;;
         softpipe | softpipe-gl32) settings=(GALLIUM_DRIVER=softpipe) ;;
-        zink) settings=(MESA_LOADER_DRIVER_OVERRIDE=zink GALLIUM_DRIVER=zink LIBGL_KOPPER_DRI2=1) ;;
+        # On a screen it needs DRI3; without one VTK draws through EGL, from 9.4 on.
+        zink) settings=(-u DISPLAY MESA_LOADER_DRIVER_OVERRIDE=zink GALLIUM_DRIVER=zink) ;;
         *)
             echo "no such driver: $name" >&2
             return 2
@@ -39,5 +40,5 @@ with_driver() {
                 "MESA_EXTENSION_OVERRIDE=$gl32_missing")
             ;;
     esac
-    env LIBGL_ALWAYS_SOFTWARE=1 "${settings[@]}" "$@"
+    env "${settings[@]}" LIBGL_ALWAYS_SOFTWARE=1 "$@"
 }

@@ -21,11 +21,11 @@ namespace
 {
 
 using Look = MenuBox::Look;
-using Color = std::array<unsigned char, 4>;
+using MenuColor = std::array<unsigned char, 4>;
 
 //--------------------------------------------------------------------------------------------------
 /// Alpha 0: no ground.
-Color GroundOf(Look look)
+MenuColor GroundOf(Look look)
 {
   switch (look)
   {
@@ -45,7 +45,7 @@ Color GroundOf(Look look)
 }
 
 //--------------------------------------------------------------------------------------------------
-Color TextOf(Look look)
+MenuColor TextOf(Look look)
 {
   switch (look)
   {
@@ -118,7 +118,7 @@ void MenuPainter::SetVisible(bool visible)
 //--------------------------------------------------------------------------------------------------
 void MenuPainter::AddGround(const MenuBox& box)
 {
-  const Color color = GroundOf(box.Is);
+  const MenuColor color = GroundOf(box.Is);
   if (color[3] == 0)
   {
     return;
@@ -152,7 +152,7 @@ void MenuPainter::AddText(const MenuBox& box, int font)
   }
   vtkTextActor* actor = this->Texts[this->UsedTexts++];
   actor->SetInput(box.Text.c_str());
-  const Color color = TextOf(box.Is);
+  const MenuColor color = TextOf(box.Is);
   vtkTextProperty* property = actor->GetTextProperty();
   property->SetFontFamilyToArial();
   const double size = box.Is == Look::Title ? 1.25 : (box.Is == Look::Faint ? 0.9 : 1.0);
