@@ -74,7 +74,7 @@ bool DrawsPolygonsAsTheyAre(vtkMapper* mapper)
 {
   static const char* const names[] = { "vtkOpenGLPolyDataMapper", "vtkCompositePolyDataMapper2",
     "vtkCompositePolyDataMapper", "vtkOpenGLLowMemoryPolyDataMapper", "vtkPolyDataMapper",
-    "vtkDataSetMapper" };
+    "vtkDataSetMapper", "vtkSurfaceLICMapper" };
   const char* name = mapper->GetClassName();
   return std::any_of(std::begin(names), std::end(names),
     [name](const char* known) { return std::strcmp(name, known) == 0; });

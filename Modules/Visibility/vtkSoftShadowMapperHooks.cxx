@@ -107,14 +107,25 @@ bool MovesDepth(const std::string& fragmentShader)
 // What the receivers' code has to know of the fragment it is in.
 std::string ReceiveDefinitions(const std::string& fragmentShader)
 {
+  // VTK throws fragments away behind the lights.
+  const std::string definitions =
+    Contains(fragmentShader, "float opacity =") ? "#define SOFT_SHADOW_OPACITY opacity\n" : "";
+  const std::string depth = MovesDepth(fragmentShader) ? "#define SOFT_SHADOW_MOVED_DEPTH\n" : "";
+  if (Contains(fragmentShader, "primitiveSize == 1"))
+  {
+    // One program for surfaces, points and lines, which uniforms tell apart.
+    return definitions + depth +
+      "#define SOFT_SHADOW_SPHERE (renderPointsAsSpheres == 1 && primitiveSize == 1)\n";
+  }
   if (Contains(fragmentShader, "uniform float ZCalcR;") &&
     Contains(fragmentShader, "vec3 normalVCVSOutput"))
   {
     // VTK's lines as tubes and points as spheres.
-    return Contains(fragmentShader, "in vec3 tubeBasis2;") ? "#define SOFT_SHADOW_TUBE\n"
-                                                           : "#define SOFT_SHADOW_SPHERE\n";
+    return definitions +
+      (Contains(fragmentShader, "in vec3 tubeBasis2;") ? "#define SOFT_SHADOW_TUBE\n"
+                                                       : "#define SOFT_SHADOW_SPHERE true\n");
   }
-  return MovesDepth(fragmentShader) ? "#define SOFT_SHADOW_MOVED_DEPTH\n" : "";
+  return definitions + depth;
 }
 } // namespace
 

@@ -332,8 +332,12 @@ bool vtkSoftShadowPass::PreReplaceShaderValues(std::string& vertexShader, std::s
 bool vtkSoftShadowPass::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
-  const std::string problem =
+  std::string problem =
     vtkSoftShadowMapperHooks::PostReplace(vertexShader, geometryShader, fragmentShader);
+  if (mapper && mapper->IsA("vtkSurfaceLICMapper"))
+  {
+    problem = "it draws its surface into buffers of its own";
+  }
   const std::string name = mapper ? mapper->GetClassName() : "a mapper";
   if (!problem.empty() && this->Impl->ToldMappers.insert(name).second)
   {

@@ -342,8 +342,10 @@ const std::vector<Variety>& AllVarieties()
   static const std::vector<Variety> varieties = []
   {
     std::vector<Variety> all = PlainVarieties();
-    const std::vector<Variety> imposters = ImposterVarieties();
-    all.insert(all.end(), imposters.begin(), imposters.end());
+    for (const std::vector<Variety>& more : { ImposterVarieties(), NewMapperVarieties() })
+    {
+      all.insert(all.end(), more.begin(), more.end());
+    }
     return all;
   }();
   return varieties;

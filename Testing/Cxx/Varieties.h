@@ -41,6 +41,9 @@ const std::vector<Variety>& AllVarieties();
 /// Spheres, sticks and molecules, which VTK traces in fragment shaders; see Imposters.cxx.
 std::vector<Variety> ImposterVarieties();
 
+/// What VTK draws with newer mappers, and what it draws otherwise since; see NewMappers.cxx.
+std::vector<Variety> NewMapperVarieties();
+
 std::ostream& operator<<(std::ostream& os, const Variety& variety);
 
 }

@@ -19,6 +19,9 @@ run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --config "${CONFIG}" --prefix "$
 # A package elsewhere on the machine would make this test pass for nothing.
 run("${PYTHON}" -c
   "import os, sys, vtksoftshadows as s; sys.exit(not os.path.samefile(os.path.dirname(s.__file__), '${prefix}/${PYTHON_DESTINATION}/vtksoftshadows'))")
+# Its metadata is what pip shows.
+run("${PYTHON}" -c
+  "import importlib.metadata as m, sys, vtksoftshadows as s; sys.exit(m.version('vtksoftshadows') != s.__version__)")
 run("${PYTHON}" "${EXAMPLES_DIR}/minimal.py" minimal.png)
 run("${CHECK_PICTURE}" minimal.png)
 

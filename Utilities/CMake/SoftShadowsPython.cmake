@@ -12,11 +12,7 @@ if (NOT TARGET VTK::WrapPython AND NOT TARGET VTKCompileTools::WrapPython)
     "The VTK in ${VTK_DIR} has no Python wrapping (on Debian: package python3-vtk9).")
 endif ()
 
-if (SKBUILD) # a wheel: its root is where packages lie
-  set(softshadows_python_destination ".")
-else ()
-  vtk_module_python_default_destination(softshadows_python_destination)
-endif ()
+vtk_module_python_default_destination(softshadows_python_destination)
 # All that the package needs in the build tree.
 add_custom_target(python-package)
 
@@ -98,17 +94,14 @@ else ()
     COMPONENT    python)
 endif ()
 
-# What pip shows of a package; a wheel has its own.
-if (NOT SKBUILD)
-  set(softshadows_metadata "vtksoftshadows-${PROJECT_VERSION}.dist-info")
-  configure_file(
-    "${SoftShadows_SOURCE_DIR}/Utilities/Python/METADATA.in"
-    "${CMAKE_BINARY_DIR}/${softshadows_python_destination}/${softshadows_metadata}/METADATA" @ONLY)
-  file(WRITE
-    "${CMAKE_BINARY_DIR}/${softshadows_python_destination}/${softshadows_metadata}/INSTALLER" "cmake\n")
-  install(
-    DIRECTORY
-      "${CMAKE_BINARY_DIR}/${softshadows_python_destination}/${softshadows_metadata}"
-    DESTINATION  "${softshadows_python_destination}"
-    COMPONENT    python)
-endif ()
+# What pip shows of a package.
+set(softshadows_metadata
+  "${softshadows_python_destination}/vtksoftshadows-${PROJECT_VERSION}.dist-info")
+configure_file(
+  "${SoftShadows_SOURCE_DIR}/Utilities/Python/METADATA.in"
+  "${CMAKE_BINARY_DIR}/${softshadows_metadata}/METADATA" @ONLY)
+file(WRITE "${CMAKE_BINARY_DIR}/${softshadows_metadata}/INSTALLER" "cmake\n")
+install(
+  DIRECTORY    "${CMAKE_BINARY_DIR}/${softshadows_metadata}"
+  DESTINATION  "${softshadows_python_destination}"
+  COMPONENT    python)

@@ -6,7 +6,7 @@ import warnings
 
 from vtkmodules.vtkRenderingCore import vtkRenderPass
 from vtkmodules.vtkRenderingOpenGL2 import (
-    vtkDualDepthPeelingPass, vtkOpaquePass, vtkOpenGLFXAAPass, vtkOrderIndependentTranslucentPass,
+    vtkCameraPass, vtkDualDepthPeelingPass, vtkOpaquePass, vtkOpenGLFXAAPass, vtkOrderIndependentTranslucentPass,
     vtkRenderStepsPass, vtkSequencePass, vtkShadowMapBakerPass, vtkShadowMapPass, vtkSSAOPass,
     vtkTranslucentPass, vtkVolumetricPass)
 
@@ -159,7 +159,9 @@ class Chain:
         occlusion.SetBias(renderer.GetSSAOBias())
         occlusion.SetKernelSize(renderer.GetSSAOKernelSize())
         occlusion.SetBlur(renderer.GetSSAOBlur())
-        occlusion.SetDelegatePass(self.shadow_pass)
+        camera = vtkCameraPass()  # without it VTK 9.6 draws a black picture
+        camera.SetDelegatePass(self.shadow_pass)
+        occlusion.SetDelegatePass(camera)
         return occlusion
 
     def _replace(self, step, owner):
