@@ -194,7 +194,7 @@ void vtkShadowCasterBuffer::Add(const Range& range)
 }
 
 //------------------------------------------------------------------------------
-int vtkShadowCasterBuffer::Draw(unsigned int location)
+int vtkShadowCasterBuffer::Draw(unsigned int location, int instances)
 {
   if (this->Draws.empty())
   {
@@ -231,12 +231,25 @@ int vtkShadowCasterBuffer::Draw(unsigned int location)
     this->Counts.push_back(static_cast<int>(draw.End - draw.Begin));
     this->Offsets.push_back(reinterpret_cast<const void*>(draw.Begin * sizeof(std::uint32_t)));
   }
-  glMultiDrawElements(GL_TRIANGLES, this->Counts.data(), GL_UNSIGNED_INT, this->Offsets.data(),
-    static_cast<GLsizei>(this->Counts.size()));
+  int calls = 1;
+  if (instances == 1)
+  {
+    glMultiDrawElements(GL_TRIANGLES, this->Counts.data(), GL_UNSIGNED_INT, this->Offsets.data(),
+      static_cast<GLsizei>(this->Counts.size()));
+  }
+  else
+  {
+    for (std::size_t i = 0; i < this->Counts.size(); ++i)
+    {
+      glDrawElementsInstanced(
+        GL_TRIANGLES, this->Counts[i], GL_UNSIGNED_INT, this->Offsets[i], instances);
+    }
+    calls = static_cast<int>(this->Counts.size());
+  }
   glDisableVertexAttribArray(location);
   glBindVertexArray(static_cast<GLuint>(boundArray));
   glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(boundBuffer));
-  return 1;
+  return calls;
 }
 
 //------------------------------------------------------------------------------

@@ -36,12 +36,37 @@ bool HasClipControl()
 }
 #endif
 
+enum Which
+{
+  NORMAL = 0,
+  CONSERVATIVE = 1,
+  LAYERS = 2
+};
+
 // The marks by which VTK puts a version before a shader come first.
-std::string WithDepth(const char* shader)
+std::string WithLines(const char* shader, const std::string& lines)
 {
   const std::string mark = "//VTK::System::Dec\n";
   std::string text = shader;
-  return text.replace(text.find(mark), mark.size(), mark + "#define SHADOW_WRITES_DEPTH\n");
+  return text.replace(text.find(mark), mark.size(), mark + lines);
+}
+
+// Column by column, relative to the casters' origin.
+void GetLocalToClip(
+  const vtkShadowMapView& view, const std::array<double, 3>& origin, float elements[16])
+{
+  const auto toClip = view.WorldToClip(true);
+  const double shift[16] = { 1.0, 0.0, 0.0, origin[0], 0.0, 1.0, 0.0, origin[1], 0.0, 0.0, 1.0,
+    origin[2], 0.0, 0.0, 0.0, 1.0 };
+  double localToClip[16];
+  vtkMatrix4x4::Multiply4x4(toClip.data(), shift, localToClip);
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      elements[4 * column + row] = static_cast<float>(localToClip[4 * row + column]);
+    }
+  }
 }
 }
 
@@ -84,30 +109,50 @@ vtkShadowCasterProgram::ScopedState::~ScopedState()
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowCasterProgram::Use(vtkOpenGLRenderWindow* window, const vtkShadowMapView& view,
-  const std::array<double, 3>& origin, int resolution, bool conservative)
+// Of the two extensions the first is written against OpenGL 3.2.
+bool vtkShadowCasterProgram::CanDrawLayers()
 {
-  vtkShaderProgram*& program = this->Programs[conservative ? 1 : 0];
+  if (!this->IsLayerKnown)
+  {
+    this->IsLayerKnown = true;
+    for (const char* name : { "GL_ARB_shader_viewport_layer_array", "GL_AMD_vertex_shader_layer" })
+    {
+      this->LayerExtension = vtkShadowDriver::HasExtension(name) ? name : this->LayerExtension;
+    }
+  }
+  return this->LayerExtension != nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkShadowCasterProgram::MakeReady(vtkOpenGLRenderWindow* window, int which)
+{
+  vtkShaderProgram*& program = this->Programs[which];
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   if (program)
   {
     cache->ReadyShaderProgram(program);
+    return program;
   }
-  else
+  this->WritesDepth = !HasClipControl();
+  if (which == CONSERVATIVE)
   {
-    // Conservative triangles write their depth in any case.
-    this->WritesDepth = !HasClipControl();
-    program = conservative ? cache->ReadyShaderProgram(
-                               vtkShadowCasterVS, vtkShadowConservativeFS, vtkShadowConservativeGS)
-      : this->WritesDepth ? cache->ReadyShaderProgram(WithDepth(vtkShadowCasterVS).c_str(),
-                              WithDepth(vtkShadowCasterFS).c_str(), "")
-                          : cache->ReadyShaderProgram(vtkShadowCasterVS, vtkShadowCasterFS, "");
+    // Such triangles write their depth in any case.
+    program = cache->ReadyShaderProgram(
+      vtkShadowCasterVS, vtkShadowConservativeFS, vtkShadowConservativeGS);
+    return program;
   }
-  if (!program)
-  {
-    vtkShadowFailures::Report("a shader does not compile");
-    return false;
-  }
+  const std::string depth = this->WritesDepth ? "#define SHADOW_WRITES_DEPTH\n" : "";
+  const std::string layers = which == LAYERS ? "#extension " + std::string(this->LayerExtension) +
+      " : require\n#define SHADOW_LAYERS " + std::to_string(LayersPerDraw) + "\n"
+                                             : "";
+  program = cache->ReadyShaderProgram(WithLines(vtkShadowCasterVS, layers + depth).c_str(),
+    WithLines(vtkShadowCasterFS, depth).c_str(), "");
+  return program;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasterProgram::Begin(vtkShaderProgram* program)
+{
 #ifdef GL_ZERO_TO_ONE
   if (!this->WritesDepth)
   {
@@ -117,21 +162,22 @@ bool vtkShadowCasterProgram::Use(vtkOpenGLRenderWindow* window, const vtkShadowM
   const GLint location =
     glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "positionLocal");
   this->Location = location < 0 ? 0u : static_cast<unsigned int>(location);
+}
 
-  const auto toClip = view.WorldToClip(true);
-  const double shift[16] = { 1.0, 0.0, 0.0, origin[0], 0.0, 1.0, 0.0, origin[1], 0.0, 0.0, 1.0,
-    origin[2], 0.0, 0.0, 0.0, 1.0 };
-  double localToClip[16];
-  vtkMatrix4x4::Multiply4x4(toClip.data(), shift, localToClip);
-  float elements[16];
-  for (int row = 0; row < 4; ++row)
+//------------------------------------------------------------------------------
+bool vtkShadowCasterProgram::Use(vtkOpenGLRenderWindow* window, const vtkShadowMapView& view,
+  const std::array<double, 3>& origin, int resolution, bool conservative)
+{
+  vtkShaderProgram* program = this->MakeReady(window, conservative ? CONSERVATIVE : NORMAL);
+  if (!program)
   {
-    for (int column = 0; column < 4; ++column)
-    {
-      elements[4 * column + row] = static_cast<float>(localToClip[4 * row + column]);
-    }
+    vtkShadowFailures::Report("a shader does not compile");
+    return false;
   }
-  program->SetUniformMatrix4x4("localToClip", elements);
+  this->Begin(program);
+  float localToClip[16];
+  GetLocalToClip(view, origin, localToClip);
+  program->SetUniformMatrix4x4("localToClip", localToClip);
   if (conservative)
   {
     constexpr double ROUNDING = 1e-3; // of half a texel
@@ -140,6 +186,27 @@ bool vtkShadowCasterProgram::Use(vtkOpenGLRenderWindow* window, const vtkShadowM
     program->SetUniformf(
       "leastW", view.Emitter.Directional ? 0.5f : static_cast<float>(LEAST * view.Near));
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowCasterProgram::UseLayers(vtkOpenGLRenderWindow* window, const vtkShadowMapView* views,
+  int count, int firstLayer, const std::array<double, 3>& origin)
+{
+  vtkShaderProgram* program = this->MakeReady(window, LAYERS);
+  if (!program)
+  {
+    this->LayerExtension = nullptr; // the driver promised more than it holds
+    return false;
+  }
+  this->Begin(program);
+  std::array<float, 16 * LayersPerDraw> localToClip{};
+  for (int i = 0; i < count; ++i)
+  {
+    GetLocalToClip(views[i], origin, localToClip.data() + 16 * i);
+  }
+  program->SetUniformMatrix4x4v("localToClip", count, localToClip.data());
+  program->SetUniformi("firstLayer", firstLayer);
   return true;
 }
 
@@ -170,6 +237,8 @@ void vtkShadowCasterProgram::SetSide(vtkOpenGLState* state, int side)
 void vtkShadowCasterProgram::ReleaseGraphicsResources()
 {
   this->Programs.fill(nullptr);
+  this->IsLayerKnown = false;
+  this->LayerExtension = nullptr;
 }
 
 VTK_ABI_NAMESPACE_END

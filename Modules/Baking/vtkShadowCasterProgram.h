@@ -54,6 +54,19 @@ public:
   bool Use(vtkOpenGLRenderWindow* window, const vtkShadowMapView& view,
     const std::array<double, 3>& origin, int resolution, bool conservative);
 
+  /**
+   * The same for several maps at once, one per instance that is drawn: the i-th goes to layer
+   * firstLayer + i of the texture, whose layers are all attached. At most LayersPerDraw views. Needs
+   * CanDrawLayers().
+   */
+  bool UseLayers(vtkOpenGLRenderWindow* window, const vtkShadowMapView* views, int count,
+    int firstLayer, const std::array<double, 3>& origin);
+
+  static constexpr int LayersPerDraw = 16;
+
+  /// Whether a vertex shader may choose the layer. Costs nothing but the first time.
+  bool CanDrawLayers();
+
   /// Draw only triangles that turn counterclockwise (1), clockwise (-1), or all (0).
   static void SetSide(vtkOpenGLState* state, int side);
 
@@ -66,9 +79,15 @@ public:
   void ReleaseGraphicsResources();
 
 private:
-  std::array<vtkShaderProgram*, 2> Programs{}; // normal, conservative; the shader cache owns them
+  vtkShaderProgram* MakeReady(vtkOpenGLRenderWindow* window, int which);
+  void Begin(vtkShaderProgram* program);
+
+  std::array<vtkShaderProgram*, 3>
+    Programs{}; // normal, conservative, layers; the shader cache owns them
   unsigned int Location = 0;
   bool WritesDepth = true; // for want of a clip space from 0 to 1
+  bool IsLayerKnown = false;
+  const char* LayerExtension = nullptr; // by which a vertex shader chooses the layer, if any does
 };
 
 VTK_ABI_NAMESPACE_END

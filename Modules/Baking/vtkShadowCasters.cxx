@@ -102,14 +102,38 @@ public:
       this->StrokeProgram.ReleaseGraphicsResources();
     } };
 
-  int DrawSide(int side);
-  int DrawBuffer(vtkOpenGLState* state, bool conservative);
+  int DrawSide(int side, int instances);
+  int DrawBuffer(vtkOpenGLState* state, bool conservative, int instances = 1);
+  void ChooseSides(const vtkShadowMapView* views, int count);
   int DrawStrokes(vtkOpenGLRenderWindow* window, const vtkShadowMapView& view, int resolution);
   int DrawMappers(vtkRenderer* renderer, const vtkShadowMapView& view);
 };
 
 //------------------------------------------------------------------------------
-int vtkShadowCasters::Internals::DrawSide(int side)
+// Of every caster the side that all views which show it ask for, or both.
+void vtkShadowCasters::Internals::ChooseSides(const vtkShadowMapView* views, int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const vtkShadowDrawTest test(views[i]);
+    for (vtkShadowCasterEntry& entry : this->List.Entries)
+    {
+      const int side = test.GetSide(entry);
+      const bool isFirst = i == 0 || entry.SideToDraw == vtkShadowCasterEntry::NO_SIDE;
+      if (isFirst)
+      {
+        entry.SideToDraw = side;
+      }
+      else if (side != vtkShadowCasterEntry::NO_SIDE && side != entry.SideToDraw)
+      {
+        entry.SideToDraw = 0;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowCasters::Internals::DrawSide(int side, int instances)
 {
   this->List.Buffer.Begin();
   for (const vtkShadowCasterEntry& entry : this->List.Entries)
@@ -119,18 +143,18 @@ int vtkShadowCasters::Internals::DrawSide(int side)
       this->List.Buffer.Add(entry.GetRange());
     }
   }
-  return this->List.Buffer.Draw(this->Program.GetLocation());
+  return this->List.Buffer.Draw(this->Program.GetLocation(), instances);
 }
 
 //------------------------------------------------------------------------------
-int vtkShadowCasters::Internals::DrawBuffer(vtkOpenGLState* state, bool conservative)
+int vtkShadowCasters::Internals::DrawBuffer(vtkOpenGLState* state, bool conservative, int instances)
 {
   int calls = 0;
   for (int side = -1; side <= 1; ++side)
   {
     // Conservative triangles come out of the geometry shader as rectangles.
     this->Program.SetSide(state, conservative ? 0 : side);
-    calls += this->DrawSide(side);
+    calls += this->DrawSide(side, instances);
   }
   this->Program.SetSide(state, 0);
   return calls;
@@ -334,11 +358,7 @@ int vtkShadowCasters::Draw(
   Internals& impl = *this->Impl;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   impl.Watch.Enter(window);
-  const vtkShadowDrawTest test(view);
-  for (vtkShadowCasterEntry& entry : impl.List.Entries)
-  {
-    entry.SideToDraw = test.GetSide(entry);
-  }
+  impl.ChooseSides(&view, 1);
   const vtkShadowCasterProgram::ScopedState state(window->GetState());
   int calls = 0;
   if (impl.Program.Use(window, view, impl.List.Origin, resolution, conservative))
@@ -348,6 +368,43 @@ int vtkShadowCasters::Draw(
   }
   calls += impl.DrawStrokes(window, view, resolution);
   return calls + impl.DrawMappers(renderer, view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowCasters::CanDrawLayers(vtkRenderer* renderer)
+{
+  Internals& impl = *this->Impl;
+  impl.Watch.Enter(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  const auto& entries = impl.List.Entries;
+  return impl.Program.CanDrawLayers() &&
+    std::none_of(entries.begin(), entries.end(),
+      [](const vtkShadowCasterEntry& entry)
+      { return entry.GetStrokes() || entry.DrawsThroughMapper(); });
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowCasters::DrawLayers(
+  vtkRenderer* renderer, const std::vector<vtkShadowMapView>& views, int firstLayer)
+{
+  Internals& impl = *this->Impl;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  impl.Watch.Enter(window);
+  const vtkShadowCasterProgram::ScopedState state(window->GetState());
+  const auto count = static_cast<int>(views.size());
+  int calls = 0;
+  for (int first = 0; first < count; first += vtkShadowCasterProgram::LayersPerDraw)
+  {
+    const int instances = std::min(count - first, vtkShadowCasterProgram::LayersPerDraw);
+    if (!impl.Program.UseLayers(
+          window, views.data() + first, instances, firstLayer + first, impl.List.Origin))
+    {
+      return -1;
+    }
+    impl.ChooseSides(views.data() + first, instances);
+    calls += impl.DrawBuffer(window->GetState(), false, instances);
+    impl.Program.Finish();
+  }
+  return calls;
 }
 
 //------------------------------------------------------------------------------

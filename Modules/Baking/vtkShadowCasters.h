@@ -156,6 +156,20 @@ public:
    */
   int Draw(vtkRenderer* renderer, const vtkShadowMapView& view, int resolution, bool conservative);
 
+  /**
+   * Whether DrawLayers() can be used: the driver lets a vertex shader choose the layer, and everything
+   * that casts is drawn from the casters' own triangles. Needs an up-to-date list, see Update.
+   */
+  bool CanDrawLayers(vtkRenderer* renderer);
+
+  /**
+   * Draws the casters for several views at once, not conservatively, into as many layers of the bound
+   * framebuffer from the first on; all layers of its texture are attached. A caster that any of the views
+   * shows is drawn for all of them. The maps are those of Draw. Returns the number of draw calls, -1 if the
+   * driver fails, and nothing was drawn.
+   */
+  int DrawLayers(vtkRenderer* renderer, const std::vector<vtkShadowMapView>& views, int firstLayer);
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 protected:

@@ -101,37 +101,76 @@ int vtkShadowDepthMaps::Bake(vtkRenderer* renderer, vtkShadowCasters* casters,
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowDepthMaps::IsHeld(std::size_t layer, const vtkShadowMapView& view) const
+{
+  return layer < this->Views.size() && this->Views[layer] == view;
+}
+
+//------------------------------------------------------------------------------
+// Returns -1 if the framebuffer cannot be had.
+int vtkShadowDepthMaps::BakeOneByOne(
+  vtkRenderer* renderer, vtkShadowCasters* casters, const std::vector<vtkShadowMapView>& views)
+{
+  int baked = 0;
+  const float empty = 0.0f;
+  for (std::size_t layer = 0; layer < views.size(); ++layer)
+  {
+    if (!this->IsHeld(layer, views[layer]))
+    {
+      this->Texture->AttachLayer(static_cast<int>(layer));
+      if (baked == 0 && !vtkShadowFramebuffer::IsComplete())
+      {
+        return -1;
+      }
+      glClearBufferfv(GL_DEPTH, 0, &empty);
+      this->NumberOfDrawCalls +=
+        casters->Draw(renderer, views[layer], this->Resolution, this->Conservative);
+      ++baked;
+    }
+  }
+  return baked;
+}
+
+//------------------------------------------------------------------------------
+// All layers of the texture are cleared, so none may be held. Returns 0 if the driver cannot after all.
+int vtkShadowDepthMaps::BakeAllAtOnce(
+  vtkRenderer* renderer, vtkShadowCasters* casters, const std::vector<vtkShadowMapView>& views)
+{
+  this->Texture->AttachLayers();
+  if (!vtkShadowFramebuffer::IsComplete())
+  {
+    return 0;
+  }
+  const float empty = 0.0f;
+  glClearBufferfv(GL_DEPTH, 0, &empty);
+  const int calls = casters->DrawLayers(renderer, views, 0);
+  this->NumberOfDrawCalls += std::max(calls, 0);
+  return calls < 0 ? 0 : static_cast<int>(views.size());
+}
+
+//------------------------------------------------------------------------------
 int vtkShadowDepthMaps::BakeLayers(
   vtkRenderer* renderer, vtkShadowCasters* casters, const std::vector<vtkShadowMapView>& views)
 {
-  const auto isHeld = [this, &views](std::size_t layer)
-  { return layer < this->Views.size() && this->Views[layer] == views[layer]; };
-  std::size_t first = 0;
-  while (first < views.size() && isHeld(first))
+  std::size_t held = 0;
+  for (std::size_t layer = 0; layer < views.size(); ++layer)
   {
-    ++first;
+    held += this->IsHeld(layer, views[layer]) ? 1 : 0;
   }
   int baked = 0;
-  if (first < views.size())
+  if (held < views.size())
   {
     auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
     const ScopedTarget target(window, this->Framebuffer, this->Resolution);
-    const float empty = 0.0f;
-    for (std::size_t layer = first; layer < views.size(); ++layer)
+    const bool atOnce = held == 0 && views.size() > 1 && !this->Conservative &&
+      this->Texture->GetLayers() < 2 * static_cast<int>(views.size()) &&
+      casters->CanDrawLayers(renderer);
+    baked = atOnce ? this->BakeAllAtOnce(renderer, casters, views) : 0;
+    baked = baked == 0 ? this->BakeOneByOne(renderer, casters, views) : baked;
+    if (baked < 0)
     {
-      if (!isHeld(layer))
-      {
-        this->Texture->AttachLayer(static_cast<int>(layer));
-        if (baked == 0 && !vtkShadowFramebuffer::IsComplete())
-        {
-          this->Views.clear();
-          return -1;
-        }
-        glClearBufferfv(GL_DEPTH, 0, &empty);
-        this->NumberOfDrawCalls +=
-          casters->Draw(renderer, views[layer], this->Resolution, this->Conservative);
-        ++baked;
-      }
+      this->Views.clear();
+      return -1;
     }
   }
   if (vtkShadowFailures::IsFailing())

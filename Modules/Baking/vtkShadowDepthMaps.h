@@ -89,6 +89,11 @@ private:
 
   int BakeLayers(
     vtkRenderer* renderer, vtkShadowCasters* casters, const std::vector<vtkShadowMapView>& views);
+  int BakeOneByOne(
+    vtkRenderer* renderer, vtkShadowCasters* casters, const std::vector<vtkShadowMapView>& views);
+  int BakeAllAtOnce(
+    vtkRenderer* renderer, vtkShadowCasters* casters, const std::vector<vtkShadowMapView>& views);
+  bool IsHeld(std::size_t layer, const vtkShadowMapView& view) const;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -178,9 +178,21 @@ void vtkShadowTextureArray::Deactivate()
 //------------------------------------------------------------------------------
 void vtkShadowTextureArray::AttachLayer(int layer, int level, int colorAttachment)
 {
-  const GLenum attachment =
-    this->Format == DEPTH32F ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0 + colorAttachment;
-  glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, attachment, this->Handle, level, layer);
+  glFramebufferTextureLayer(
+    GL_DRAW_FRAMEBUFFER, this->GetAttachment(colorAttachment), this->Handle, level, layer);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::AttachLayers(int level, int colorAttachment)
+{
+  glFramebufferTexture(
+    GL_DRAW_FRAMEBUFFER, this->GetAttachment(colorAttachment), this->Handle, level);
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkShadowTextureArray::GetAttachment(int colorAttachment) const
+{
+  return this->Format == DEPTH32F ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0 + colorAttachment;
 }
 
 //------------------------------------------------------------------------------

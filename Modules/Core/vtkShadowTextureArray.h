@@ -84,6 +84,9 @@ public:
    */
   void AttachLayer(int layer, int level = 0, int colorAttachment = 0);
 
+  /// The same with all layers of a level: programs choose one, and clearing clears them all.
+  void AttachLayers(int level = 0, int colorAttachment = 0);
+
   /// Copies the lower left corner of the bound read framebuffer to the texels of a layer from (x, y) on.
   void CopyFromFramebuffer(int layer, int x, int y, int width, int height);
 
@@ -118,6 +121,7 @@ private:
 
   bool IsAllowed(int width, int height, int layers, int levels) const;
   void DeleteTexture();
+  unsigned int GetAttachment(int colorAttachment) const;
 };
 
 VTK_ABI_NAMESPACE_END

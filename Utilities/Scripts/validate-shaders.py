@@ -17,6 +17,9 @@ import sys
 
 STAGES = {"vertex": "vert", "geometry": "geom", "fragment": "frag"}
 GATHER = "GL_ARB_texture_gather"
+# The compiler knows gl_Layer in vertex shaders by another extension, and only from a later version on.
+LAYER = "GL_AMD_vertex_shader_layer"
+KNOWN_LAYER = "GL_ARB_shader_viewport_layer_array"
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
@@ -34,9 +37,12 @@ def split(path):
 def compile_program(stages, folder, gathers):
     """The compiler's complaints, or nothing."""
     files = []
+    layered = any(LAYER in text for _, text in stages)
     for ending, text in stages:
         # glslang knows the extension whatever a driver has.
         text = text if gathers else text.replace(GATHER, "GL_absent_extension")
+        if layered: # all stages are of one version
+            text = text.replace(LAYER, KNOWN_LAYER).replace("#version 150", "#version 410")
         files.append(os.path.join(folder, "program." + ending))
         with open(files[-1], "w", encoding="utf-8") as file:
             file.write(text)

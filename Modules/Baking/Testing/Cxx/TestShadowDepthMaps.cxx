@@ -4,14 +4,19 @@
 
 #include "vtkCubeSource.h"
 #include "vtkImageData.h"
+#include "vtkLineSource.h"
 #include "vtkPlaneSource.h"
+#include "vtkProperty.h"
+#include "vtkSoftShadowsOpenGL.h"
 #include "vtkSphereSource.h"
 #include "vtkTransform.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -199,4 +204,98 @@ TEST(ShadowDepthMaps, WhatLiesBeforeTheNearPlaneIsNotLost)
       EXPECT_EQ(scene.BakeDepths(view, 32, conservative)[16 * 32 + 16], 1.0f);
     }
   }
+}
+
+namespace
+{
+// From above, each from another place and through another window; the last ones from inside the sphere.
+std::vector<vtkShadowMapView> MakeViews(int count)
+{
+  std::vector<vtkShadowMapView> views(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+  {
+    vtkShadowMapView& view = views[static_cast<std::size_t>(i)];
+    const double x = 0.11 * i - 1.0;
+    const bool inside = i > count - 3;
+    view.Emitter = MakeDownwardEmitter(inside ? 0.0 : x, 0.05 * i, inside ? 1.0 : 4.0, i % 4 == 3);
+    view.Window = { { -1.0 - 0.01 * i, 0.8, -0.9, 1.0 } };
+    view.Near = inside ? 0.1 : 1.0;
+    view.Far = 5.0;
+  }
+  return views;
+}
+
+// A closed sphere, of which one side is drawn, and an open plane of which both are; a box that few views show.
+void AddCasters(BakingScene& scene)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(0.0, 0.0, 1.0);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-2.0, -2.0, 0.0);
+  plane->SetPoint1(2.0, -2.0, 0.0);
+  plane->SetPoint2(-2.0, 2.0, 0.2);
+  vtkNew<vtkCubeSource> box;
+  box->SetCenter(3.5, 0.0, 1.0);
+  scene.AddActor(sphere);
+  scene.AddActor(plane);
+  scene.AddActor(box);
+}
+}
+
+//------------------------------------------------------------------------------
+// Views drawn with a layer per instance hold what each holds that is drawn alone: more of them than one
+// draw takes, and some more, and one anew.
+TEST(ShadowDepthMapsOfManyViews, AreThoseOfOneViewEach)
+{
+  BakingScene scene;
+  AddCasters(scene);
+  BakingScene alone;
+  AddCasters(alone);
+  constexpr int size = 48;
+  std::vector<vtkShadowMapView> views = MakeViews(21);
+  const auto compare = [&](int expectedBakes)
+  {
+    EXPECT_EQ(scene.Bake(views, size), expectedBakes);
+    std::vector<std::vector<float>> together;
+    for (std::size_t i = 0; i < views.size(); ++i)
+    {
+      together.push_back(scene.Maps->GetTexture()->ReadLayer(static_cast<int>(i)));
+    }
+    for (std::size_t i = 0; i < views.size(); ++i)
+    {
+      alone.Bake({ views[i] }, size); // another window's context
+      EXPECT_EQ(together[i], alone.Maps->GetTexture()->ReadLayer(0)) << "view " << i;
+      EXPECT_GT(*std::max_element(together[i].begin(), together[i].end()), 0.0f) << "view " << i;
+    }
+  };
+  compare(21);
+  if (scene.Casters->CanDrawLayers(scene.Renderer))
+  {
+    EXPECT_LT(scene.Maps->GetNumberOfDrawCalls(), 2 * 3 * 2) << "two draws of at most three sides";
+  }
+  views[5].Window[0] -= 0.3;
+  compare(1);
+  views = MakeViews(23);
+  views[2].Window[1] += 0.2;
+  compare(23); // the texture grows
+  views.resize(18);
+  compare(0);
+  EXPECT_EQ(glGetError(), static_cast<unsigned int>(GL_NO_ERROR));
+}
+
+//------------------------------------------------------------------------------
+// Strokes need shaders of their own: then maps are drawn one by one.
+TEST(ShadowDepthMapsOfManyViews, AreDrawnOneByOneWithStrokes)
+{
+  BakingScene scene;
+  AddCasters(scene);
+  scene.Bake(MakeViews(4), 32);
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(-1.0, 0.0, 2.0);
+  line->SetPoint2(1.0, 0.0, 2.0);
+  vtkActor* actor = scene.AddActor(line);
+  actor->GetProperty()->SetLineWidth(5.0f);
+  scene.Window.Render();
+  scene.Bake(MakeViews(4), 32);
+  EXPECT_FALSE(scene.Casters->CanDrawLayers(scene.Renderer));
 }
