@@ -109,7 +109,7 @@ vtkShadowCasterProgram::ScopedState::~ScopedState()
 }
 
 //------------------------------------------------------------------------------
-// Of the two extensions the first is written against OpenGL 3.2.
+// The last that there is: it is written against OpenGL 3.2, the other against a later one.
 bool vtkShadowCasterProgram::CanDrawLayers()
 {
   if (!this->IsLayerKnown)

@@ -137,9 +137,9 @@ int vtkShadowDepthMaps::BakeAllAtOnce(
   vtkRenderer* renderer, vtkShadowCasters* casters, const std::vector<vtkShadowMapView>& views)
 {
   this->Texture->AttachLayers();
-  if (!vtkShadowFramebuffer::IsComplete())
+  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {
-    return 0;
+    return 0; // no failure: there is another way
   }
   const float empty = 0.0f;
   glClearBufferfv(GL_DEPTH, 0, &empty);
@@ -162,10 +162,11 @@ int vtkShadowDepthMaps::BakeLayers(
   {
     auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
     const ScopedTarget target(window, this->Framebuffer, this->Resolution);
-    const bool atOnce = held == 0 && views.size() > 1 && !this->Conservative &&
-      this->Texture->GetLayers() < 2 * static_cast<int>(views.size()) &&
+    const bool atOnce = this->CanBakeAtOnce && held == 0 && views.size() > 1 &&
+      !this->Conservative && this->Texture->GetLayers() < 2 * static_cast<int>(views.size()) &&
       casters->CanDrawLayers(renderer);
     baked = atOnce ? this->BakeAllAtOnce(renderer, casters, views) : 0;
+    this->CanBakeAtOnce = this->CanBakeAtOnce && (!atOnce || baked > 0);
     baked = baked == 0 ? this->BakeOneByOne(renderer, casters, views) : baked;
     if (baked < 0)
     {
@@ -225,6 +226,7 @@ void vtkShadowDepthMaps::ReleaseGraphicsResources(vtkWindow* window)
   this->Texture->ReleaseGraphicsResources(window);
   this->Views.clear();
   this->Resolution = 0;
+  this->CanBakeAtOnce = true;
 }
 
 //------------------------------------------------------------------------------

@@ -82,6 +82,7 @@ protected:
   vtkTypeInt64 NumberOfBakes = 0;
   vtkTypeInt64 NumberOfDrawCalls = 0;
   vtkShadowFramebuffer Framebuffer;
+  bool CanBakeAtOnce = true; // until the driver refuses
 
 private:
   vtkShadowDepthMaps(const vtkShadowDepthMaps&) = delete;

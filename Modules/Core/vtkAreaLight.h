@@ -109,7 +109,8 @@ public:
   /**
    * The extent of a vtkLight that is no area light: of a positional one the diameter of its disk in world
    * units, of a directional one its angular diameter in degrees. It is kept in vtkOSPRayLightNode's RADIUS
-   * key, so that VTK's ray tracers respect it, too. Of an area light nothing is set, and what is got is 0.
+   * key, so that VTK's ray tracers respect it, too, if their module was loaded before the first extent was
+   * set. Of an area light nothing is set, and what is got is 0.
    * Default is 0; negative or non-finite extents are refused with an error and change nothing.
    */
   static void SetExtent(vtkLight* light, double extent);

@@ -18,6 +18,7 @@ constexpr int RowsTogether = 8;
 
 double MostTaps = DefaultTaps;
 thread_local vtkTypeInt64 Draws = 0;
+thread_local double TapsNotSent = 0.0; // of whole draws since the last flush
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -54,6 +55,14 @@ void vtkShadowBands::Draw(
   const int rows = vtkShadowBands::GetRows(area[2], area[3], tapsPerPixel);
   if (rows >= area[3])
   {
+    // Systems look at what is sent at once, which may be many draws.
+    const double taps = tapsPerPixel * area[2] * area[3];
+    if (TapsNotSent + taps > MostTaps)
+    {
+      glFlush();
+      TapsNotSent = 0.0;
+    }
+    TapsNotSent += taps;
     draw();
     ++Draws;
     return;

@@ -37,7 +37,7 @@ public:
 
   /**
    * Taps of a draw. By default 4e9, which an integrated graphics processor takes less than a second
-   * for: 1920 x 1080 pixels of 45 x 45 taps are one draw. For tests; 0: the default.
+   * for: 1920 x 1080 pixels of 43 x 43 taps are one draw. For tests; 0: the default.
    */
   static void SetMostTaps(double taps);
 

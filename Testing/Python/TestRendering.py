@@ -13,10 +13,14 @@ import warnings
 
 try:
     import numpy
-    from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+    from vtkmodules.vtkCommonCore import vtkDoubleArray
+    from vtkmodules.vtkCommonDataModel import vtkRectilinearGrid
+    from vtkmodules.vtkRenderingCore import (
+        vtkActor, vtkAssembly, vtkDataSetMapper, vtkLight, vtkRenderer)
     from vtkmodules.vtkRenderingOpenGL2 import (
         vtkCameraPass, vtkDefaultPass, vtkLightsPass, vtkOpaquePass, vtkOverlayPass,
-        vtkRenderPassCollection, vtkRenderStepsPass, vtkSequencePass)
+        vtkRenderPassCollection, vtkRenderStepsPass, vtkSequencePass, vtkShadowMapBakerPass,
+        vtkShadowMapPass)
 except ImportError as error:
     print("skipped: VTK's Python modules or NumPy are missing:", error)
     sys.exit(77)
@@ -24,7 +28,7 @@ except ImportError as error:
 from TestPassChains import ambient_occlusion, largest_difference
 from TestTechniques import HEIGHT, WIDTH, Scene, square
 import vtksoftshadows
-from vtksoftshadows import rendering
+from vtksoftshadows import _results, rendering
 
 POINTS = [i / 20.0 for i in range(2, 27)]
 
@@ -119,6 +123,45 @@ class TestVisibility(unittest.TestCase):
         self.assertEqual(hidden, 0)
         self.assertGreater(len(errors), 10)
         self.assertLess(numpy.abs(errors).max(), 0.06)
+
+    def test_points_of_parts(self):
+        """Parts of assemblies and rectilinear grids are where they are drawn."""
+        scene = Plain()
+        ground = scene.renderer.GetActors().GetItemAsObject(0)
+        scene.renderer.RemoveActor(ground)
+        grid = vtkRectilinearGrid()
+        grid.SetDimensions(81, 3, 1)
+        for axis, values in (("X", numpy.linspace(-2.0, 2.0, 81)), ("Y", [-2.0, 0.0, 2.0]), ("Z", [0.0])):
+            array = vtkDoubleArray()
+            for value in values:
+                array.InsertNextValue(value + (0.5 if axis == "X" else 0.0))
+            getattr(grid, "Set%sCoordinates" % axis)(array)
+        mapper = vtkDataSetMapper()
+        mapper.SetInputData(grid)
+        part = vtkActor()
+        part.SetMapper(mapper)
+        assembly = vtkAssembly()
+        assembly.AddPart(part)
+        assembly.SetPosition(-0.5, 0.0, 0.0)
+        scene.renderer.AddActor(assembly)
+        rendering.enable(scene.renderer, "sampled", samples=256)
+        meshes = rendering.add_visibility(scene.renderer, scene.lamp, "lamp")
+        self.assertTrue(any(mesh is grid for mesh in meshes))
+        array = grid.GetPointData().GetArray("lamp")
+        errors = [array.GetValue(i) - expected(grid.GetPoint(i)[0] - 0.5)
+                  for i in range(grid.GetNumberOfPoints())
+                  if grid.GetPoint(i)[1] == 0.0 and 0.6 <= grid.GetPoint(i)[0] <= 1.8]
+        seen = [error for error in errors if not numpy.isnan(error)]
+        self.assertGreater(len(seen), 15)
+        self.assertLess(max(map(abs, seen)), 0.06)
+
+    def test_what_stands_behind_a_wire_is_hidden(self):
+        row = numpy.array([10.0, 10.1, 10.2, 4.0, 10.4, 10.5, 10.6])
+        slack = _results._slack(numpy.tile(row, (7, 1)))
+        self.assertLess(slack[3, 3], 1.0)
+        self.assertGreater(slack[3, 1], 0.1, "a surface that leans")
+        row[2] = row[4] = numpy.nan
+        self.assertLess(_results._slack(numpy.tile(row, (7, 1)))[3, 3], 1.0)
 
     def test_lights_are_named(self):
         scene = Plain()
@@ -406,6 +449,30 @@ class TestChain(unittest.TestCase):
         self.assertIs(scene.renderer.GetPass(), outer)
         self.assertIs(steps.GetOpaquePass(), opaque)
         self.assertIs(steps.GetTranslucentPass(), translucent)
+
+    def test_hard_shadows_come_back_to_their_place(self):
+        scene = Plain()
+        baker, hard, overlay = vtkShadowMapBakerPass(), vtkShadowMapPass(), vtkOverlayPass()
+        hard.SetShadowMapBakerPass(baker)
+        steps, sequence, camera = vtkRenderStepsPass(), vtkSequencePass(), vtkCameraPass()
+        passes = vtkRenderPassCollection()
+        for item in (steps, baker, hard, overlay):
+            passes.AddItem(item)
+        sequence.SetPasses(passes)
+        camera.SetDelegatePass(sequence)
+        scene.renderer.SetPass(camera)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            rendering.enable(scene.renderer, "pcss")
+            scene.window.Render()
+        left = [passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems())]
+        self.assertEqual([item.GetClassName() for item in left],
+                         ["vtkRenderStepsPass", "vtkOverlayPass"])
+        rendering.disable(scene.renderer)
+        back = [passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems())]
+        self.assertEqual([item.GetClassName() for item in back],
+                         ["vtkRenderStepsPass", "vtkShadowMapBakerPass", "vtkShadowMapPass",
+                          "vtkOverlayPass"])
 
     def test_no_place(self):
         scene = Plain()

@@ -38,7 +38,8 @@ class Qualities : public testing::TestWithParam<std::string>
 {
 protected:
   Qualities()
-    : Truth(softshadows::ReferenceTracer(Width, Height, TruthRaysPerAxis).Trace(this->Scene.Renderer))
+    : Truth(
+        softshadows::ReferenceTracer(Width, Height, TruthRaysPerAxis).Trace(this->Scene.Renderer))
   {
   }
 

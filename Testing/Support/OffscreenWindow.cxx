@@ -8,6 +8,7 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVersionMacros.h"
 
 #include <cstdlib>
 #include <stdexcept>
@@ -19,7 +20,8 @@ namespace SoftShadowsTesting
 //------------------------------------------------------------------------------
 OffscreenWindow::OffscreenWindow(int width, int height)
 {
-#ifdef __linux__
+  // From 9.4 on, VTK finds EGL by itself.
+#if defined(__linux__) && VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display)
   {

@@ -33,6 +33,15 @@ def find_all(render_pass, kind):
     return found
 
 
+def insert(passes, place, render_pass):
+    """Puts a pass into a collection, so that it is at the place, counted from 0."""
+    behind = [passes.GetItemAsObject(i) for i in range(place, passes.GetNumberOfItems())]
+    for other in behind:
+        passes.RemoveItem(other)
+    for other in [render_pass] + behind:
+        passes.AddItem(other)
+
+
 def uses_order_independent_blending(renderer):
     """Whether VTK's renderer blends so where depth is not peeled: in VTK 9.1 always."""
     return bool(renderer.GetUseOIT()) if hasattr(renderer, "GetUseOIT") else True
@@ -177,10 +186,13 @@ class Chain:
     def _leave_hard_shadows_out(self, chain):
         """VTK's shadow maps draw the opaque props again, over the soft shadows."""
         hard = find_all(chain, (vtkShadowMapPass, vtkShadowMapBakerPass))
+        removed = False
         for step, owner in hard:
             if isinstance(owner, vtkSequencePass):
                 passes = owner.GetPasses()
+                place = passes.IsItemPresent(step) - 1  # counted from 1
                 passes.RemoveItem(step)
-                self._undo.append(lambda passes=passes, step=step: passes.AddItem(step))
-        if hard:
+                self._undo.append(lambda passes=passes, step=step, place=place: insert(passes, place, step))
+                removed = True
+        if removed:
             warnings.warn("VTK's own shadows (enable_shadows) are left out while soft shadows are on")

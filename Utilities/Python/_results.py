@@ -5,8 +5,8 @@
 import numpy
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData
-from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkPointSet
+from vtkmodules.vtkRenderingCore import vtkActor
 
 
 def _array(image):
@@ -81,8 +81,12 @@ def _slack(depth):
         edge = numpy.full_like(numpy.take(depth, [0], axis=axis), numpy.inf)
         before = numpy.concatenate([edge, step], axis=axis)
         after = numpy.concatenate([step, edge], axis=axis)
-        # A silhouette on one side says nothing of the surface.
-        slack += numpy.minimum(before, after)
+        # A silhouette on one side says nothing of the surface; one on both, of a wire, neither.
+        least = numpy.minimum(before, after)
+        with numpy.errstate(invalid="ignore"):
+            alike = numpy.abs(before - after) <= 0.5 * least
+        thin = ~numpy.isfinite(least) | ((least > 0.05 * depth) & alike)
+        slack += numpy.where(thin, 0.0, least)
     return 1.5 * slack + 1e-4 * numpy.nan_to_num(depth)
 
 
@@ -91,27 +95,36 @@ def _matrix(matrix):
 
 
 def meshes(renderer):
-    """The data sets that a renderer's actors draw, each with its matrix."""
-    actors = renderer.GetActors()
-    actors.InitTraversal()
-    for _ in range(actors.GetNumberOfItems()):
-        actor = actors.GetNextActor()
-        mapper = actor.GetMapper()
-        if mapper is None or not actor.GetVisibility():
+    """The data sets that a renderer's actors and parts of assemblies draw, each with its matrix."""
+    props = renderer.GetViewProps()
+    for i in range(props.GetNumberOfItems()):
+        prop = props.GetItemAsObject(i)
+        if not prop.GetVisibility():
             continue
-        mapper.Update()
-        data = mapper.GetInputDataObject(0, 0)
-        if isinstance(data, vtkDataSet) and data.GetNumberOfPoints():
-            matrix = vtkMatrix4x4()
-            actor.GetMatrix(matrix)
-            yield data, _matrix(matrix)
+        prop.InitPathTraversal()
+        path = prop.GetNextPath()
+        while path is not None:
+            node = path.GetLastNode()
+            data = _drawn_data(node.GetViewProp())
+            if data is not None:
+                yield data, _matrix(node.GetMatrix())
+            path = prop.GetNextPath()
+
+
+def _drawn_data(prop):
+    """What an actor draws; None for other props, and for composite data."""
+    mapper = prop.GetMapper() if isinstance(prop, vtkActor) and prop.GetVisibility() else None
+    if mapper is None or not mapper.GetNumberOfInputConnections(0):
+        return None
+    mapper.Update()
+    data = mapper.GetInputDataObject(0, 0)
+    return data if isinstance(data, vtkDataSet) and data.GetNumberOfPoints() else None
 
 
 def world_points(data, matrix):
     """Points of a data set in world coordinates."""
-    points = getattr(data, "GetPoints", lambda: None)()
-    if points is not None:
-        local = vtk_to_numpy(points.GetData()).astype(float)
+    if isinstance(data, vtkPointSet):
+        local = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     else:
         local = numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
     return numpy.column_stack([local, numpy.ones(len(local))]) @ matrix.T[:, :3]

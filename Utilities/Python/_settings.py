@@ -18,7 +18,8 @@ AUTO = "auto"
 _ON_PROCESSOR, _ON_CARD = "traced", "cascaded"
 
 # As the names of software rasterisers have it in GL_RENDERER, in small letters.
-_RASTERISERS = ("llvmpipe", "softpipe", "swrast", "swiftshader", "software")
+_RASTERISERS = ("llvmpipe", "softpipe", "lavapipe", "swrast", "swr (", "swiftshader", "software",
+                "gdi generic", "microsoft basic render")
 
 
 def candidates(technique):

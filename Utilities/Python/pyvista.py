@@ -51,7 +51,9 @@ class AreaLight(vtkAreaLight, pyvista.Light):
         if angular_diameter is not None and (size is not None or positional):
             raise ValueError("angular_diameter: a light that has it is directional, without size and "
                              "position")
-        self.SetPositional(positional is None or bool(positional))
+        if shape == "point" and size is not None:
+            raise ValueError("size: a light of shape 'point' has none")
+        self.SetPositional(angular_diameter is None and (positional is None or bool(positional)))
         self.SetConeAngle(90.0 if cone_angle is None else cone_angle)
         self.shape = shape
         if size is not None:

@@ -155,6 +155,8 @@ def _ready(renderer, light):
     elif not any(light is other for other in lights):  # PyVista's lights are equal by value
         raise ValueError("%s is no light of the renderer" % type(light).__name__)
     window.Render()
+    if shadows.shadow_pass is None:
+        raise ValueError("the renderer draws nothing: there is nothing to be seen")
     return shadows, light
 
 

@@ -2,7 +2,8 @@
 # Packs what checks a machine with a graphics card and nothing installed into one archive: a program that
 # times and judges every technique in the benchmark's scenes, the modules' unit tests, all their libraries,
 # references by ray tracing, and a script that runs them.
-# Usage: gpu-bundle.sh [build folder] [archive]   (default: build/test, softshadows-gpu.tar.xz)
+# Usage: gpu-bundle.sh [build folder] [archive]   (default: build/test, softshadows-gpu.tar.xz; for a machine
+# without xz name it .tar.gz, which is half again as large)
 # Environment: SIZE ("1920 1080"), SAMPLES (rays per light and pixel of the references, 256), SCENES (names
 # with blanks between; all). References of all scenes take a quarter of an hour on two cores.
 #
@@ -29,7 +30,10 @@ mkdir -p "$bundle"/{bin,lib,lib-if-missing,libc,Scenes,Models}
 cp "$program" "$bundle/bin/"
 for file in "$build"/bin/vtkRenderingSoftShadows*UnitTests; do
     # Those that read pictures need an image library, and with it three hundred others.
-    ldd "$file" | grep -q libOpenImageIO || cp "$file" "$bundle/bin/"
+    case "$(ldd "$file")" in
+        *libOpenImageIO*) ;;
+        *) cp "$file" "$bundle/bin/" ;;
+    esac
 done
 cp Testing/Data/bunny.ply Testing/Data/dragon.ply "$bundle/Models/"
 for file in "$build"/Utilities/Benchmark/Scenes/*.json; do
@@ -51,7 +55,8 @@ while read -r name file; do
         libGLEW.so.*) folder=lib ;;
         libstdc++.so.* | libgcc_s.so.* | libz.so.* | liblzma.so.* | \
             libGL*.so.* | libEGL.so.* | libOpenGL.so.* | libX* | libxcb* | libICE* | libSM* | \
-            libbsd* | libmd.so.* | libuuid*) folder=lib-if-missing ;;
+            libbsd* | libmd.so.* | libuuid* | libexpat.so.* | libzstd.so.* | libffi.so.* | libdrm* | \
+            libwayland*) folder=lib-if-missing ;;
         *) folder=lib ;;
     esac
     [ ! -e "$file" ] || cp -L "$file" "$bundle/$folder/$name"
@@ -61,8 +66,11 @@ strip --strip-unneeded "$bundle"/bin/* "$bundle"/lib/* "$bundle"/lib-if-missing/
 
 # From 9.4 on, VTK finds EGL by itself.
 screen=needed
-ls "$bundle"/lib | grep -qE '^libvtkRenderingOpenGL2-9\.([0-3])\.' || screen=
+case "$(echo "$bundle"/lib/libvtkRenderingOpenGL2-9.*)" in
+    *OpenGL2-9.[0-3].*) ;;
+    *) screen= ;;
+esac
 sed -e "s/@SIZE@/${size[*]}/" -e "s/@SCREEN@/$screen/" Utilities/CardCheck/run.sh.in >"$bundle/run.sh"
 chmod +x "$bundle/run.sh"
-tar -C "$work" -cJf "$archive" softshadows-gpu
+tar -C "$work" -caf "$archive" softshadows-gpu
 echo "$archive: $(du -m "$archive" | cut -f 1) MiB"

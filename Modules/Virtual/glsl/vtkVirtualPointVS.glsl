@@ -11,9 +11,13 @@ uniform int blockSize; // edge of a block; 1: every pixel draws
 
 flat out vec4 wish; // texel sizes, and minus the half extents of the kernel in (s, t)
 
-// Where a pixel lies; (-1, -1) if it asks for nothing.
+// Where a pixel lies; (-1, -1) if it asks for nothing or lies beside the screen, as of the last blocks.
 ivec2 cellOf(ivec2 pixel)
 {
+  if (any(greaterThanEqual(pixel, textureSize(kernelShapes, 0).xy)))
+  {
+    return ivec2(-1);
+  }
   if (texelFetch(kernelShapes, ivec3(pixel, 0), 0).w < VIRTUAL_PENUMBRA)
   {
     return ivec2(-1);
@@ -57,11 +61,10 @@ void main()
     return;
   }
   wish = wishOf(pixel);
-  ivec2 size = textureSize(kernelShapes, 0).xy;
   for (int i = number + 1; i < blockSize * blockSize; ++i)
   {
     ivec2 other = block + placeOf(i);
-    if (all(lessThan(other, size)) && cellOf(other) == cell)
+    if (cellOf(other) == cell)
     {
       wish = min(wish, wishOf(other));
     }

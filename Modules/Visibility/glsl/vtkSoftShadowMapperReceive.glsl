@@ -1,12 +1,5 @@
   if (softShadowStage == SOFT_SHADOW_STAGE_RECEIVE)
   {
-#ifdef SOFT_SHADOW_OPACITY
-    // The holes of a wireframe that is drawn as a surface.
-    if (SOFT_SHADOW_OPACITY <= 0.0)
-    {
-      discard;
-    }
-#endif
     vec3 softShadowPosition = vertexVC.xyz;
 #if defined(SOFT_SHADOW_TUBE) && !defined(SOFT_SHADOW_STEPS)
     vec3 softShadowX = dFdx(vertexVC.xyz);
@@ -66,6 +59,13 @@
     float softShadowLength = length(softShadowNormal);
     softShadowNormal = softShadowLength > 0.0 ? softShadowNormal / softShadowLength
                                               : vec3(0.0, 0.0, 1.0);
+#ifdef SOFT_SHADOW_OPACITY
+    // The holes of a wireframe that is drawn as a surface: after the derivatives, which they would spoil.
+    if (SOFT_SHADOW_OPACITY <= 0.0)
+    {
+      discard;
+    }
+#endif
     gl_FragData[0] = vec4(softShadowPosition, softShadowMark(softShadowNormal));
     // Along a line or in a point all steps are parallel or none, but for rounding.
     gl_FragData[1] = vec4(softShadowNormal, softShadowLength > 1e-3 ? softShadowLargestRise : -1.0);
