@@ -32,7 +32,7 @@ protected:
   {
     vtkShadowBands::SetMostTaps(mostTaps);
     Stage stage(this->Scene.Renderer, pass, Width, Height);
-    const Picture visibility = stage.RenderVisibility(this->Scene.Lamp);
+    Picture visibility = stage.RenderVisibility(this->Scene.Lamp);
     draws = pass->GetCount("visibility_draws");
     return visibility;
   }

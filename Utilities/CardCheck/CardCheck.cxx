@@ -277,10 +277,8 @@ int Run(const Options& options)
   return failed ? 1 : 0;
 }
 
-}
-
 //--------------------------------------------------------------------------------------------------
-int main(int argc, char** argv)
+int Run(int argc, char** argv)
 {
   CLI::App app("Times and judges every technique at its defaults, with references carried along.");
   try
@@ -290,6 +288,17 @@ int main(int argc, char** argv)
   catch (const CLI::ParseError& error)
   {
     return app.exit(error);
+  }
+}
+
+}
+
+//--------------------------------------------------------------------------------------------------
+int main(int argc, char** argv)
+{
+  try
+  {
+    return Run(argc, argv);
   }
   catch (const std::exception& error)
   {
