@@ -52,9 +52,9 @@ public:
 
   ///@{
   /**
-   * Drawing: Begin, Add what is to be drawn (neighbours are joined), then Draw with a program in use
-   * whose attribute at that location takes the vertices. Draw uploads what was written and returns the number of
-   * OpenGL draw calls: one, or with several instances one per span.
+   * Drawing: Begin, Add what is to be drawn (neighbours are joined), then Draw with a program in
+   * use whose attribute at that location takes the vertices. Draw uploads what was written and
+   * returns the number of OpenGL draw calls: one, or with several instances one per span.
    */
   void Begin();
   void Add(const Range& range);

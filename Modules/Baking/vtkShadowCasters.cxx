@@ -383,8 +383,7 @@ bool vtkShadowCasters::CanDrawLayers(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-int vtkShadowCasters::DrawLayers(
-  vtkRenderer* renderer, const std::vector<vtkShadowMapView>& views, int firstLayer)
+int vtkShadowCasters::DrawLayers(vtkRenderer* renderer, const std::vector<vtkShadowMapView>& views)
 {
   Internals& impl = *this->Impl;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -395,8 +394,7 @@ int vtkShadowCasters::DrawLayers(
   for (int first = 0; first < count; first += vtkShadowCasterProgram::LayersPerDraw)
   {
     const int instances = std::min(count - first, vtkShadowCasterProgram::LayersPerDraw);
-    if (!impl.Program.UseLayers(
-          window, views.data() + first, instances, firstLayer + first, impl.List.Origin))
+    if (!impl.Program.UseLayers(window, views.data() + first, instances, first, impl.List.Origin))
     {
       return -1;
     }

@@ -163,12 +163,12 @@ public:
   bool CanDrawLayers(vtkRenderer* renderer);
 
   /**
-   * Draws the casters for several views at once, not conservatively, into as many layers of the bound
-   * framebuffer from the first on; all layers of its texture are attached. A caster that any of the views
+   * Draws the casters for several views at once, not conservatively, into the first layers of the bound
+   * framebuffer; all layers of its texture are attached. A caster that any of the views
    * shows is drawn for all of them, so a map may show one more than Draw's, behind which nothing receives
    * in that view. Returns the number of draw calls, -1 if the driver fails, and nothing was drawn.
    */
-  int DrawLayers(vtkRenderer* renderer, const std::vector<vtkShadowMapView>& views, int firstLayer);
+  int DrawLayers(vtkRenderer* renderer, const std::vector<vtkShadowMapView>& views);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

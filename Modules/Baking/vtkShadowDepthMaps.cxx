@@ -143,7 +143,7 @@ int vtkShadowDepthMaps::BakeAllAtOnce(
   }
   const float empty = 0.0f;
   glClearBufferfv(GL_DEPTH, 0, &empty);
-  const int calls = casters->DrawLayers(renderer, views, 0);
+  const int calls = casters->DrawLayers(renderer, views);
   this->NumberOfDrawCalls += std::max(calls, 0);
   return calls < 0 ? 0 : static_cast<int>(views.size());
 }

@@ -89,5 +89,6 @@ void vtkShadowBands::Draw(
     glFlush();
     ++Draws;
   }
+  TapsNotSent = 0.0;
 }
 VTK_ABI_NAMESPACE_END

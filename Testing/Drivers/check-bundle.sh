@@ -31,6 +31,18 @@ done
 # The bunny's visibility is as near to the truth as at any size.
 awk -F '|' '/^\| cascaded/ { found = 1; exit !($7 < 0.05) } END { exit !found }' section.md ||
     fail "cascaded is not near its reference: $(grep cascaded section.md)"
+# A visibility that is wrong altogether is a failure: here the reference says that all is dark.
+cp -r "$work/else where/softshadows-gpu" "$work/dark"
+"$python" - "$work/dark/References/bunny-soft.raw" <<'END'
+import sys
+with open(sys.argv[1], "r+b") as file:
+    file.readline()
+    file.write(bytes(4 * 96 * 64))
+END
+if TESTS="" "$work/dark/run.sh" --rounds 1 >dark.log 2>&1; then
+    fail "a wrong visibility was taken for right"
+fi
+grep -q 'has an error of' dark.log || fail "the wrong visibility is not named: $(cat dark.log)"
 # References of another size are refused.
 if TESTS="" "$work/else where/softshadows-gpu/run.sh" --size 64 64 >wrong.log 2>&1; then
     fail "references of another size were taken"

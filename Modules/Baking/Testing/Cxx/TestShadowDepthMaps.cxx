@@ -208,7 +208,7 @@ TEST(ShadowDepthMaps, WhatLiesBeforeTheNearPlaneIsNotLost)
 
 namespace
 {
-// From above, each from another place and through another window; the last ones from inside the sphere.
+// From above, each from another place and through another window; the last from inside the sphere.
 std::vector<vtkShadowMapView> MakeViews(int count)
 {
   std::vector<vtkShadowMapView> views(static_cast<std::size_t>(count));
@@ -225,7 +225,8 @@ std::vector<vtkShadowMapView> MakeViews(int count)
   return views;
 }
 
-// A closed sphere, of which one side is drawn, and an open plane of which both are; a box that few views show.
+// A closed sphere, of which one side is drawn, and an open plane of which both are; a box that few
+// views show.
 void AddCasters(BakingScene& scene)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -243,8 +244,8 @@ void AddCasters(BakingScene& scene)
 }
 
 //------------------------------------------------------------------------------
-// Views drawn with a layer per instance hold what each holds that is drawn alone: more of them than one
-// draw takes, and some more, and one anew.
+// Views drawn with a layer per instance hold what each holds that is drawn alone: more of them than
+// one draw takes, and some more, and one anew.
 TEST(ShadowDepthMapsOfManyViews, AreThoseOfOneViewEach)
 {
   BakingScene scene;
