@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 using namespace SoftShadowsTesting;
@@ -149,6 +150,40 @@ void StepLights(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights, int fr
       places[light][0] + 0.05 * frame, places[light][1] - 0.02 * frame, 6.0);
   }
 }
+
+using StepFunction = std::function<void(int frame)>;
+
+// Every frame after the first step with grids that are waited for, and with finer tiles; then the first
+// frames with late ones.
+void DrawWaiting(PlatesWindow& window, int frames, const StepFunction& step,
+  std::vector<Picture>& exact, std::vector<Picture>& fine)
+{
+  for (int frame = 1; frame < frames; ++frame)
+  {
+    step(frame);
+    window.VisibilitiesTo(exact);
+    window.Pass->SetQuality(8.0);
+    window.VisibilitiesTo(fine);
+    window.Pass->SetQuality(3.0);
+  }
+  window.Pass->SetGridLatency(1);
+  step(0);
+  window.Visibility();
+  window.Visibility();
+}
+
+// A step that no grid is waited for: it changes what is asked for by less than the neighbours' wishes
+// cover.
+std::vector<Picture> DrawLate(PlatesWindow& window, int frame, const StepFunction& step)
+{
+  step(frame);
+  std::vector<Picture> late;
+  window.VisibilitiesTo(late);
+  EXPECT_EQ(window.Pass->GetCount("grid_waits"), 0) << "frame " << frame;
+  EXPECT_EQ(window.Pass->GetCount("late_grids"), 3) << "frame " << frame;
+  EXPECT_LT(window.Pass->GetLatencyExcess(), 1.1) << "frame " << frame;
+  return late;
+}
 } // namespace
 
 TEST(VirtualLatency, AllLightsOfAFrameAreWaitedForOnce)
@@ -195,27 +230,11 @@ TEST(VirtualLatency, AMovingCameraIsNeverWaitedForAndAsRight)
   PlatesWindow window(ThreeLights());
   std::vector<Picture> exact;
   std::vector<Picture> fine;
+  const auto step = [&window](int frame) { Step(window, frame); };
+  DrawWaiting(window, Frames, step, exact, fine);
   for (int frame = 1; frame < Frames; ++frame)
   {
-    Step(window, frame);
-    window.VisibilitiesTo(exact);
-    window.Pass->SetQuality(8.0);
-    window.VisibilitiesTo(fine);
-    window.Pass->SetQuality(3.0);
-  }
-  window.Pass->SetGridLatency(1);
-  Step(window, 0);
-  window.Visibility();
-  window.Visibility();
-  for (int frame = 1; frame < Frames; ++frame)
-  {
-    Step(window, frame);
-    std::vector<Picture> late;
-    window.VisibilitiesTo(late);
-    EXPECT_EQ(window.Pass->GetCount("grid_waits"), 0) << "frame " << frame;
-    EXPECT_EQ(window.Pass->GetCount("late_grids"), 3) << "frame " << frame;
-    // A step changes what is asked for by less than the neighbours' wishes cover.
-    EXPECT_LT(window.Pass->GetLatencyExcess(), 1.1) << "frame " << frame;
+    const std::vector<Picture> late = DrawLate(window, frame, step);
     for (int light = 0; light < 3; ++light)
     {
       const size_t index = 3 * (frame - 1) + light;
@@ -239,26 +258,11 @@ TEST(VirtualLatency, MovingLightsAreNeverWaitedForAndAsRight)
   PlatesWindow window(lights);
   std::vector<Picture> exact;
   std::vector<Picture> fine;
+  const auto step = [&lights](int frame) { StepLights(lights, frame); };
+  DrawWaiting(window, Frames, step, exact, fine);
   for (int frame = 1; frame < Frames; ++frame)
   {
-    StepLights(lights, frame);
-    window.VisibilitiesTo(exact);
-    window.Pass->SetQuality(8.0);
-    window.VisibilitiesTo(fine);
-    window.Pass->SetQuality(3.0);
-  }
-  window.Pass->SetGridLatency(1);
-  StepLights(lights, 0);
-  window.Visibility();
-  window.Visibility();
-  for (int frame = 1; frame < Frames; ++frame)
-  {
-    StepLights(lights, frame);
-    std::vector<Picture> late;
-    window.VisibilitiesTo(late);
-    EXPECT_EQ(window.Pass->GetCount("grid_waits"), 0) << "frame " << frame;
-    EXPECT_EQ(window.Pass->GetCount("late_grids"), 3) << "frame " << frame;
-    EXPECT_LT(window.Pass->GetLatencyExcess(), 1.1) << "frame " << frame;
+    const std::vector<Picture> late = DrawLate(window, frame, step);
     for (int light = 0; light < 3; ++light)
     {
       const size_t index = 3 * (frame - 1) + light;
