@@ -6,9 +6,10 @@
  *
  * Two RGBA32F textures of the viewport's size. Position: xyz in view coordinates, w is whether it
  * receives or is a surface that does not, with the normal in a few bits for filters on the screen
- * (vtkSoftShadowPackedNormals), or anything between where there is no surface. Normal: xyz is the unit normal of the visible triangle's plane, towards the
- * camera, w is how far the surface may rise from that plane (see vtkShadowCasters::GetLargestRise), or -1
- * where the plane is made up: points and lines have none.
+ * (vtkSoftShadowPackedNormals), or anything between where there is no surface. Normal: xyz is the
+ * unit normal of the visible triangle's plane, towards the camera, w is how far the surface may rise
+ * from that plane (see vtkShadowCasters::GetLargestRise), or -1 where the plane is made up: points and
+ * lines have none.
  */
 
 #ifndef vtkShadowReceivers_h
@@ -83,7 +84,8 @@ public:
 
   /**
    * Copies the receivers to the processor's memory as shaders see them: of each pixel the view position
-   * with its mark (VTK_SOFT_SHADOW_RECEIVES, VTK_SOFT_SHADOW_SURFACE or 0), and the plane's normal, four floats each, bottom row first. Waits for the GPU.
+   * with its mark (VTK_SOFT_SHADOW_RECEIVES, VTK_SOFT_SHADOW_SURFACE or 0), and the plane's normal,
+   * four floats each, bottom row first. Waits for the GPU.
    */
   void Read(std::vector<float>& positions, std::vector<float>& normals);
 

@@ -29,8 +29,8 @@ struct BenchmarkSettings
   double SecondsPerContestant = 20.0;
   /**
    * Time for a scene without its reference, in seconds; 0: as long as it takes. Contestants whose turn
-   * comes after JudgingShare of it are left out unless they are essential; rounds after the third end with it, all rounds with
-   * one and a half of it. A frame may take a fifteenth of it.
+   * comes after JudgingShare of it are left out unless they are essential; rounds after the third end
+   * with it, all rounds with one and a half of it. A frame may take a fifteenth of it.
    */
   double SecondsPerScene = 0.0;
   static constexpr double JudgingShare = 0.5;

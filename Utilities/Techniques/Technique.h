@@ -133,8 +133,8 @@ void PrintTechniques(std::ostream& os);
 /**
  * The same and more as one JSON object, for programs. "techniques" is a list of name, class, meaning,
  * papers, options and qualities; an option has name, property (of the class; with an index, its first
- * argument), kind (integer, number, flag, choice), default, meaning, and least and most or choices. "qualities" are
- * names and largest errors.
+ * argument), kind (integer, number, flag, choice), default, meaning, and least and most or choices.
+ * "qualities" are names and largest errors.
  */
 void PrintTechniquesAsJson(std::ostream& os);
 
